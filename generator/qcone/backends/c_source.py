@@ -1,0 +1,253 @@
+"""C text of machine routines: one operation a statement, blocks under their equations. The printer decides nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from qcone.formats.floating import Floating
+from qcone.ir.machine import MachineOp
+from qcone.ir.statement import (
+    Advance,
+    Block,
+    Call,
+    Choose,
+    Loop,
+    Operation,
+    Place,
+    Program,
+    Role,
+    Routine,
+    Shape,
+    Statement,
+    Write,
+    walk,
+)
+
+SIGNS = {
+    MachineOp.ADD: "+",
+    MachineOp.SUBTRACT: "-",
+    MachineOp.MULTIPLY: "*",
+    MachineOp.DIVIDE: "/",
+}
+INDENT = "    "
+INTERNAL = frozenset({"start_up", "steady"})
+"""Routines that only `update` calls: static."""
+
+
+@dataclass(frozen=True)
+class Function:
+    """One C function: its signature without the semicolon, its body line by line, and whether it is internal."""
+
+    routine: str
+    signature: str
+    body: tuple[str, ...]
+    internal: bool
+
+
+class Unprintable(Exception):
+    """An operation that no pass has lowered to the machine language."""
+
+
+def functions(program: Program, number: Floating) -> tuple[Function, ...]:
+    """Return every function of the program, callees before their callers."""
+    done: dict[str, Function] = {}
+    for routine in program.routines:
+        for callee in _callees(routine):
+            if callee.name not in done:
+                done[callee.name] = _scalar_function(callee, program, number)
+        done[routine.name] = _function(routine, program, number)
+    return tuple(done.values())
+
+
+def _callees(routine: Routine) -> Iterator[Routine]:
+    for callee in routine.callees.values():
+        yield from _callees(callee)
+        yield callee
+
+
+def parameters(routine: Routine) -> tuple[Block, ...]:
+    """Return the array arguments of a routine's function, in order: inputs, then outputs."""
+    return (*routine.having(Role.INPUT), *routine.having(Role.OUTPUT))
+
+
+def _function(routine: Routine, program: Program, number: Floating) -> Function:
+    arguments = []
+    if routine.having(Role.STATE):
+        arguments.append(f"{'' if writes_state(routine) else 'const '}{program.name}_state *state")
+    for block in parameters(routine):
+        const = "const " if block.role is Role.INPUT else ""
+        arguments.append(f"{const}{number.ctype} {block.name}[{block.size}]")
+    name = f"{program.name}_{routine.name}"
+    internal = routine.name in INTERNAL
+    signature = f"{'static ' if internal else ''}void {name}({', '.join(arguments) or 'void'})"
+    return Function(routine.name, signature, tuple(_Printer(routine, program, number).lines()), internal)
+
+
+def _scalar_function(routine: Routine, program: Program, number: Floating) -> Function:
+    """Print a callee: scalars in by value, results out through one array."""
+    names = [f"const {number.ctype} {part}" for block in routine.having(Role.INPUT) for part in components(block)]
+    size = sum(block.size for block in routine.having(Role.OUTPUT))
+    arguments = ", ".join([*names, f"{number.ctype} result[{size}]"])
+    signature = f"static void {program.name}_{routine.name}({arguments})"
+    printer = _Printer(routine, program, number, scalar=True)
+    return Function(routine.name, signature, tuple(printer.lines()), True)
+
+
+def components(block: Block) -> list[str]:
+    """Return the names of a callee's scalar arguments."""
+    return [f"{block.name}_in{i}" for i in range(block.size)]
+
+
+def writes_state(routine: Routine) -> bool:
+    """Tell whether a routine changes the state."""
+    for statement in walk(routine.body):
+        if isinstance(statement, Advance | Choose):
+            return True
+        if isinstance(statement, Write) and routine.block(statement.place.block).role is Role.STATE:
+            return True
+    return False
+
+
+def literal(constant: Fraction, exact: Fraction | None, number: Floating) -> str:
+    """Return a literal, with the rational it was rounded from beside it."""
+    text = number.literal(constant)
+    return text if exact is None or exact.denominator == 1 else f"{text} /* {exact} */"
+
+
+class _Printer:
+    def __init__(self, routine: Routine, program: Program, number: Floating, scalar: bool = False) -> None:
+        self.routine, self.program, self.number, self.scalar = routine, program, number, scalar
+        self.literals = {
+            each.result: literal(each.constant, each.exact, number)
+            for each in walk(routine.body)
+            if isinstance(each, Operation) and each.op is MachineOp.LITERAL and each.constant is not None
+        }
+        self.shown: int | None = None
+
+    def lines(self) -> Iterator[str]:
+        """Yield the body, indented."""
+        for block in self.routine.having(Role.TABLE):
+            entries = ", ".join(literal(entry, None, self.number) for entry in block.entries)
+            yield f"{INDENT}static const {self.number.ctype} {block.name}[{block.size}] = {{ {entries} }};"
+        for block in self.routine.having(Role.LOCAL):
+            yield f"{INDENT}{self.number.ctype} {block.name}[{block.size}];"
+        yield from self._body(self.routine.body, 1)
+
+    def _body(self, body: Sequence[Statement], depth: int) -> Iterator[str]:
+        indent = INDENT * depth
+        for statement in body:
+            if isinstance(statement, Operation) and statement.op is MachineOp.LITERAL:
+                continue
+            yield from self._heading(statement.step, indent)
+            match statement:
+                case Loop(counter, first, last, inner):
+                    yield f"{indent}for (int32_t {counter} = {first}; {counter} <= {last}; ++{counter}) {{"
+                    yield from self._body(inner, depth + 1)
+                    yield f"{indent}}}"
+                case Choose(place, cases, otherwise):
+                    yield from self._choose(place, cases, otherwise, indent)
+                case _:
+                    for line in self._simple(statement):
+                        yield indent + line
+
+    def _heading(self, number: int, indent: str) -> Iterator[str]:
+        if number == self.shown:
+            return
+        if self.shown is not None:
+            yield ""
+        self.shown = number
+        step = self.routine.steps[number]
+        if step.text:
+            yield f"{indent}/* {step.text}{f'   [{step.equation}]' if step.equation else ''} */"
+
+    def _simple(self, statement: Statement) -> Iterator[str]:
+        ctype = self.number.ctype
+        match statement:
+            case Operation(result, op, args, _, place):
+                name = self.routine.names[result]
+                if op in SIGNS:
+                    yield f"const {ctype} {name} = {self._use(args[0])} {SIGNS[op]} {self._use(args[1])};"  # type: ignore[index]
+                elif op is MachineOp.NEGATE:
+                    yield f"const {ctype} {name} = -{self._use(args[0])};"
+                elif op is MachineOp.READ and place is not None:
+                    yield f"const {ctype} {name} = {self._place(place)};"
+                else:
+                    raise Unprintable(f"{self.routine.name}: {op} must be lowered before it is printed")
+            case Write(place, value):
+                yield f"{self._place(place)} = {self._use(value)};"
+            case Advance(place):
+                yield f"{self._place(place)} = {self._place(place)} + 1;"
+            case Call(name, args, results):
+                array = f"{self.routine.names[results[0]]}_result"
+                given = ", ".join([*map(self._use, args), array])
+                yield f"{ctype} {array}[{len(results)}];"
+                yield f"{self.program.name}_{name}({given});"
+                for part, result in enumerate(results):
+                    yield f"const {ctype} {self.routine.names[result]} = {array}[{part}];"
+
+    def _choose(
+        self, place: Place, cases: tuple[tuple[int, str], ...], otherwise: str, indent: str
+    ) -> Iterator[str]:
+        arguments = ", ".join(["state", *(block.name for block in parameters(self.routine))])
+        word = "if"
+        for limit, name in cases:
+            yield f"{indent}{word} ({self._place(place)} < {limit}) {{"
+            yield f"{indent}{INDENT}{self.program.name}_{name}({arguments});"
+            word = "} else if"
+        yield f"{indent}}} else {{"
+        yield f"{indent}{INDENT}{self.program.name}_{otherwise}({arguments});"
+        yield f"{indent}}}"
+
+    def _use(self, value: int) -> str:
+        return self.literals.get(value) or self.routine.names[value]
+
+    def _place(self, place: Place) -> str:
+        block = self.routine.block(place.block)
+        if block.role is Role.STATE:
+            return f"state->{field(block, place)}"
+        if self.scalar and block.role is Role.INPUT:
+            return components(block)[place.index.constant]
+        if self.scalar and block.role is Role.OUTPUT:
+            outputs = self.routine.having(Role.OUTPUT)
+            before = sum(each.size for each in outputs[: outputs.index(block)])
+            return f"result[{place.index + before}]"
+        return f"{place.block}[{place.index}]"
+
+
+def field(block: Block, place: Place) -> str:
+    """Return a component of a state block as a member: an array element, or the member itself for one scalar."""
+    if block.shape is Shape.SCALAR and block.count == 1:
+        return block.name
+    return f"{block.name}[{place.index}]"
+
+
+def state_fields(program: Program, number: Floating) -> list[tuple[str, str]]:
+    """Return the members of the state structure as (declaration, meaning)."""
+    fields = []
+    for block in program.state:
+        ctype = "int32_t" if block.integer else number.ctype
+        array = "" if block.shape is Shape.SCALAR and block.count == 1 else f"[{block.size}]"
+        fields.append((f"{ctype} {block.name}{array};", block.unit))
+    return fields
+
+
+def state_initialiser(program: Program, number: Floating) -> str:
+    """Return the initialiser of a static state: what `init` writes."""
+    init = program.routine("init")
+    literals = {each.result: each.constant for each in init.body if isinstance(each, Operation)}
+    parts = []
+    for block in program.state:
+        values = {
+            each.place.index.constant: literals[each.value]
+            for each in init.body
+            if isinstance(each, Write) and each.place.block == block.name
+        }
+        texts = []
+        for k in range(block.size):
+            value = values[k] or Fraction(0)
+            texts.append(str(int(value)) if block.integer else number.literal(value))
+        scalar = block.shape is Shape.SCALAR and block.count == 1
+        parts.append(texts[0] if scalar else f"{{ {', '.join(texts)} }}")
+    return f"{{ {', '.join(parts)} }}"

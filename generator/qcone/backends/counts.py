@@ -1,0 +1,98 @@
+"""Operation counts: of a routine in either language, executed once, loops and calls multiplied out."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from enum import Enum
+from fractions import Fraction
+
+from qcone.ir.machine import MachineOp
+from qcone.ir.operations import RealOp
+from qcone.ir.statement import Call, Loop, Operation, Routine, Statement
+
+KINDS: Mapping[Enum, str] = {
+    RealOp.ADD: "add",
+    RealOp.ACCUMULATE: "add",
+    RealOp.SUBTRACT: "subtract",
+    RealOp.MULTIPLY: "multiply",
+    RealOp.DIVIDE: "divide",
+    RealOp.NEGATE: "negate",
+    RealOp.SQUARE_ROOT: "square_root",
+    RealOp.SINE: "trigonometric",
+    RealOp.COSINE: "trigonometric",
+    RealOp.CONSTANT: "",
+    RealOp.READ: "",
+    MachineOp.ADD: "add",
+    MachineOp.SUBTRACT: "subtract",
+    MachineOp.MULTIPLY: "multiply",
+    MachineOp.DIVIDE: "divide",
+    MachineOp.NEGATE: "negate",
+    MachineOp.LITERAL: "",
+    MachineOp.READ: "",
+}
+
+
+@dataclass(frozen=True)
+class Counts:
+    """How often each operation is executed. `power_of_two` are products by 2^k, not among `multiply`."""
+
+    multiply: int = 0
+    power_of_two: int = 0
+    divide: int = 0
+    add: int = 0
+    subtract: int = 0
+    negate: int = 0
+    square_root: int = 0
+    trigonometric: int = 0
+
+    def __add__(self, other: Counts) -> Counts:
+        """Add kind by kind."""
+        return Counts(*(getattr(self, each.name) + getattr(other, each.name) for each in fields(self)))
+
+    def as_papers_count(self) -> Counts:
+        """Return the counts with products by powers of two among the products, as the papers have them."""
+        values = {each.name: getattr(self, each.name) for each in fields(self)}
+        return Counts(**{**values, "multiply": self.multiply + self.power_of_two, "power_of_two": 0})
+
+
+def count(routine: Routine) -> Counts:
+    """Count the operations one call of the routine executes."""
+    constants = {
+        each.result: each.constant
+        for each in routine.body
+        if isinstance(each, Operation) and each.constant is not None
+    }
+    found: Counter[str] = Counter()
+    _body(routine.body, routine, constants, {}, found)
+    return Counts(**found)
+
+
+def _body(
+    body: tuple[Statement, ...], routine: Routine, constants: dict[int, Fraction], counters: dict[str, int],
+    found: Counter[str],
+) -> None:
+    for statement in body:
+        match statement:
+            case Operation():
+                if statement.constant is not None:
+                    constants[statement.result] = statement.constant
+                kind = KINDS[statement.op]
+                if kind == "multiply" and any(_is_power_of_two(constants.get(arg)) for arg in statement.args):
+                    kind = "power_of_two"
+                if kind:
+                    found[kind] += 1
+            case Loop():
+                for turn in statement.turns(counters):
+                    _body(statement.body, routine, constants, counters | {statement.counter: turn}, found)
+            case Call():
+                inner = count(routine.callees[statement.routine])
+                found.update({each.name: getattr(inner, each.name) for each in fields(inner)})
+
+
+def _is_power_of_two(value: Fraction | None) -> bool:
+    if not value:
+        return False
+    top, bottom = abs(value.numerator), value.denominator
+    return top & (top - 1) == 0 and bottom & (bottom - 1) == 0

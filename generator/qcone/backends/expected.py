@@ -1,0 +1,153 @@
+"""What the emitted C of a routine must say, statement by statement, in the terms the text is read back in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+
+from qcone.backends.c_source import components, field, functions, parameters
+from qcone.backends.parse_back import Line, UnreadableError, affine, read_functions
+from qcone.formats.floating import Floating
+from qcone.ir.machine import MachineOp
+from qcone.ir.statement import (
+    Advance,
+    Call,
+    Choose,
+    Index,
+    Loop,
+    Operation,
+    Place,
+    Program,
+    Role,
+    Routine,
+    Statement,
+    Write,
+    walk,
+)
+
+
+def differences(program: Program, number: Floating, header: str, source: str) -> list[str]:
+    """Return how the text differs from the program: empty when every statement of every function agrees."""
+    try:
+        found = read_functions(header, source)
+    except UnreadableError as error:
+        return [str(error)]
+    return list(_compare(program, number, found))
+
+
+def _compare(
+    program: Program, number: Floating, found: Mapping[str, tuple[str, tuple[Line, ...]]]
+) -> Iterator[str]:
+    routines = {f"{program.name}_{routine.name}": routine for routine in program.routines}
+    for routine in program.routines:
+        for callee in _callees(routine):
+            routines.setdefault(f"{program.name}_{callee.name}", callee)
+    wanted_signatures = {f"{program.name}_{each.routine}": each.signature for each in functions(program, number)}
+    for name in sorted(set(routines) ^ set(found)):
+        yield f"{name}: {'missing from the text' if name in routines else 'not in the program'}"
+    scalar = {callee.name for routine in program.routines for callee in _callees(routine)}
+    for name, routine in routines.items():
+        if name not in found:
+            continue
+        signature, lines = found[name]
+        inside = wanted_signatures[name]
+        inside = inside[inside.index("(") + 1 : -1]
+        if _squeezed(signature) != _squeezed(inside):
+            yield f"{name}: parameters ({signature}) instead of ({inside})"
+        expected = tuple(_Reader(routine, program, number, routine.name in scalar).lines())
+        yield from _compare_lines(name, lines, expected)
+
+
+def _callees(routine: Routine) -> Iterator[Routine]:
+    for callee in routine.callees.values():
+        yield from _callees(callee)
+        yield callee
+
+
+def _squeezed(text: str) -> str:
+    return "".join(text.split())
+
+
+def _compare_lines(name: str, found: Sequence[Line], expected: Sequence[Line]) -> Iterator[str]:
+    for number, (have, want) in enumerate(zip(found, expected, strict=False), start=1):
+        if have != want:
+            yield f"{name}: statement {number} is `{have}`, the routine has `{want}`"
+            return
+    if len(found) != len(expected):
+        yield f"{name}: {len(found)} statements, the routine has {len(expected)}"
+
+
+class _Reader:
+    """Says what each statement of a routine must look like in C."""
+
+    def __init__(self, routine: Routine, program: Program, number: Floating, scalar: bool) -> None:
+        self.routine, self.program, self.number, self.scalar = routine, program, number, scalar
+        self.literals = {
+            each.result: self._literal(each.constant)
+            for each in walk(routine.body)
+            if isinstance(each, Operation) and each.constant is not None
+        }
+
+    def lines(self) -> Iterator[Line]:
+        """Yield the expected statements."""
+        ctype = self.number.ctype
+        for block in self.routine.having(Role.TABLE):
+            entries = tuple(self._literal(entry) for entry in block.entries)
+            yield Line("array", f"static const {ctype} {block.name}[{block.size}]", entries)
+        for block in self.routine.having(Role.LOCAL):
+            yield Line("array", f"{ctype} {block.name}[{block.size}]")
+        yield from self._body(self.routine.body)
+
+    def _body(self, body: Sequence[Statement]) -> Iterator[Line]:
+        ctype = f"const {self.number.ctype}"
+        names = self.routine.names
+        for statement in body:
+            match statement:
+                case Operation(result, op, args, _, place):
+                    if op is MachineOp.LITERAL:
+                        continue
+                    operands = tuple(map(self._use, args)) if place is None else (self._place(place),)
+                    yield Line(op.value, names[result], operands, ctype)
+                case Write(place, value):
+                    yield Line("write", self._place(place), (self._use(value),))
+                case Advance(place):
+                    yield Line("advance", self._place(place))
+                case Loop(counter, first, last, inner):
+                    yield Line("loop", counter, (_index(first), _index(last)), "int32_t", tuple(self._body(inner)))
+                case Call(name, args, results):
+                    array = f"{names[results[0]]}_result"
+                    yield Line("array", f"{self.number.ctype} {array}[{len(results)}]")
+                    yield Line("call", f"{self.program.name}_{name}", (*map(self._use, args), array))
+                    for part, result in enumerate(results):
+                        yield Line("read", names[result], (f"{array}[{part}]",), ctype)
+                case Choose(place, cases, otherwise):
+                    arguments = ("state", *(block.name for block in parameters(self.routine)))
+                    calls = [*(name for _, name in cases), otherwise]
+                    body_lines = tuple(Line("call", f"{self.program.name}_{name}", arguments) for name in calls)
+                    limits = tuple(str(limit) for limit, _ in cases)
+                    yield Line("choose", self._place(place), limits, body=body_lines)
+
+    def _use(self, value: int) -> str:
+        return self.literals.get(value) or self.routine.names[value]
+
+    def _literal(self, value: Fraction) -> str:
+        sign = "-" if value < 0 else ""
+        return f"{sign}{self.number.ctype} {abs(value)}"
+
+    def _place(self, place: Place) -> str:
+        block = self.routine.block(place.block)
+        index = _index(place.index)
+        if block.role is Role.STATE:
+            whole = field(block, place)
+            return f"state->{block.name}[{index}]" if "[" in whole else f"state->{whole}"
+        if self.scalar and block.role is Role.INPUT:
+            return components(block)[place.index.constant]
+        if self.scalar and block.role is Role.OUTPUT:
+            outputs = self.routine.having(Role.OUTPUT)
+            before = sum(each.size for each in outputs[: outputs.index(block)])
+            return f"result[{_index(place.index + before)}]"
+        return f"{place.block}[{index}]"
+
+
+def _index(index: Index) -> str:
+    return affine({"": index.constant, **dict(index.terms)})

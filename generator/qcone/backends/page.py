@@ -1,0 +1,85 @@
+"""The page of a design: everything its C files say, as plain text, ready for the templates to lay out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from qcone.backends.templates import render
+
+
+@dataclass(frozen=True)
+class Documented:
+    """A function with the contract above its prototype, line by line; no contract for internal ones."""
+
+    signature: str
+    body: tuple[str, ...]
+    internal: bool
+    contract: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Field:
+    """A member of the state structure."""
+
+    declaration: str
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Macro:
+    """A macro of the header."""
+
+    name: str
+    text: str
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Page:
+    """One design, printed. `banner` and `facts` are comment lines; `significand` guards the number format."""
+
+    name: str
+    command: str
+    license: str
+    facts: tuple[str, ...]
+    macros: tuple[Macro, ...]
+    fields: tuple[Field, ...]
+    functions: tuple[Documented, ...]
+    integers: bool
+    significand: str
+    digits: int
+    interface: int
+
+
+@dataclass(frozen=True)
+class Driver:
+    """The test-only batch loop: sizes of one row of inputs, state words and outputs, and what to call."""
+
+    name: str
+    ctype: str
+    input_size: int
+    has_start: bool
+    has_dcm: bool
+    state_words: tuple[str, ...]
+    word_count: int
+    probe: str
+
+
+def header(page: Page) -> str:
+    """Return the text of the header file."""
+    return render("c/routine.h.j2", page=page, guard=page.name.upper() + "_H")
+
+
+def source(page: Page) -> str:
+    """Return the text of the source file."""
+    return render("c/routine.c.j2", page=page)
+
+
+def driver(made: Driver, page: Page) -> str:
+    """Return the text of the batch loop."""
+    return render("c/run.c.j2", driver=made, page=page)
+
+
+def vectors_main(made: Driver) -> str:
+    """Return a main program that runs the batch loop on a file of vectors: for sanitizers."""
+    return render("c/main.c.j2", driver=made)

@@ -1,0 +1,204 @@
+"""Read emitted C back into machine statements, by pycparser, and compare them with the routine one by one.
+
+That the C is the model rests on this and not only on test vectors: every statement of every function must
+be the routine's, operands in order, literals to the last bit, types and all.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from pycparser import CParser, c_ast
+from pycparser.c_parser import ParseError
+
+from qcone.formats.floating import FLOATING
+
+OPERATORS = {"+": "add", "-": "subtract", "*": "multiply", "/": "divide"}
+TYPES = "typedef int int32_t;\n"
+NUMBERS = {each.ctype: each for each in FLOATING.values()}
+
+
+@dataclass(frozen=True)
+class Line:
+    """One statement of C: what it is, what it defines or writes, its operands as text, its type."""
+
+    kind: str
+    target: str
+    operands: tuple[str, ...] = ()
+    ctype: str = ""
+    body: tuple[Line, ...] = field(default=())
+
+    def __str__(self) -> str:
+        """Return the statement on one line, for messages."""
+        return f"{self.ctype} {self.target} = {self.kind}({', '.join(self.operands)})".strip()
+
+
+class UnreadableError(Exception):
+    """The text holds something that no emitted routine contains."""
+
+
+def read_functions(header: str, source: str) -> dict[str, tuple[str, tuple[Line, ...]]]:
+    """Return, for every function of the source, its parameters as text and its statements.
+
+    Raises UnreadableError for text that is not C, or that is C no printer of ours writes.
+    """
+    text = TYPES + _bare(header) + _bare(source)
+    try:
+        tree = CParser().parse(text)
+    except ParseError as error:
+        raise UnreadableError(f"not C: {error}") from error
+    found = {}
+    for node in tree.ext:
+        if isinstance(node, c_ast.FuncDef):
+            found[node.decl.name] = (_parameters(node), tuple(_lines(node.body.block_items or ())))
+    return found
+
+
+def _bare(text: str) -> str:
+    """Leave out comments, directives and what only a C++ compiler sees."""
+    text = re.sub(r"/\*.*?\*/", " ", text, flags=re.DOTALL)
+    text = re.sub(r"^#ifdef __cplusplus$.*?^#endif$", "", text, flags=re.DOTALL | re.MULTILINE)
+    return "".join(line for line in text.splitlines(keepends=True) if not line.lstrip().startswith("#"))
+
+
+def _parameters(node: c_ast.FuncDef) -> str:
+    arguments = node.decl.type.args
+    return ", ".join(_declared(each) for each in (arguments.params if arguments else ()))
+
+
+def _declared(node: Any) -> str:
+    """Return a declaration's type, name and size as text."""
+    kind, size, pointer = node.type, "", ""
+    while not isinstance(kind, c_ast.TypeDecl):
+        if isinstance(kind, c_ast.ArrayDecl):
+            size += f"[{_expression(kind.dim) if kind.dim is not None else ''}]"
+        elif isinstance(kind, c_ast.PtrDecl):
+            pointer += "*"
+        else:
+            raise UnreadableError(f"a declaration of {node.name} that is not emitted: {type(kind).__name__}")
+        kind = kind.type
+    words = [*node.storage, *kind.quals, *getattr(kind.type, "names", ())]
+    return f"{' '.join(words)} {pointer}{node.name or ''}{size}".strip()
+
+
+def _lines(items: Sequence[Any]) -> Iterator[Line]:
+    for node in items:
+        match node:
+            case c_ast.Decl():
+                yield _declaration(node)
+            case c_ast.Assignment() if node.op == "=":
+                yield _written(node)
+            case c_ast.FuncCall():
+                arguments = tuple(_operand(each) for each in node.args.exprs)
+                yield Line("call", node.name.name, arguments)
+            case c_ast.For():
+                yield _loop(node)
+            case c_ast.If():
+                yield _choice(node)
+            case _:
+                raise UnreadableError(f"a statement that is not emitted: {type(node).__name__}")
+
+
+def _declaration(node: Any) -> Line:
+    if isinstance(node.type, c_ast.ArrayDecl):
+        entries = tuple(_operand(each) for each in node.init.exprs) if node.init else ()
+        return Line("array", _declared(node), entries)
+    ctype = _declared(node).removesuffix(node.name).strip()
+    value = node.init
+    if isinstance(value, c_ast.BinaryOp):
+        return Line(OPERATORS[value.op], node.name, (_operand(value.left), _operand(value.right)), ctype)
+    if isinstance(value, c_ast.UnaryOp) and value.op == "-" and not isinstance(value.expr, c_ast.Constant):
+        return Line("negate", node.name, (_operand(value.expr),), ctype)
+    return Line("read", node.name, (_operand(value),), ctype)
+
+
+def _written(node: Any) -> Line:
+    target = _operand(node.lvalue)
+    if isinstance(node.rvalue, c_ast.BinaryOp):
+        if _operand(node.rvalue.left) == target and node.rvalue.op == "+" and _operand(node.rvalue.right) == "1":
+            return Line("advance", target)
+        raise UnreadableError(f"a write of more than one value: {target}")
+    return Line("write", target, (_operand(node.rvalue),))
+
+
+def _loop(node: Any) -> Line:
+    counter = node.init.decls[0]
+    last = _expression(node.cond.right)
+    if node.cond.op != "<=" or node.next.op not in ("++", "p++"):
+        raise UnreadableError(f"a loop over {counter.name} that is not emitted")
+    body = tuple(_lines(node.stmt.block_items or ()))
+    return Line("loop", counter.name, (_expression(counter.init), last), "int32_t", body)
+
+
+def _choice(node: Any) -> Line:
+    """Read if (counter < limit) { f(..); } else ... as one line with a call for each case."""
+    calls: list[Line] = []
+    operands: list[str] = []
+    target = _operand(node.cond.left)
+    while isinstance(node, c_ast.If):
+        if node.cond.op != "<" or _operand(node.cond.left) != target:
+            raise UnreadableError("a condition that is not emitted")
+        operands.append(_operand(node.cond.right))
+        calls.extend(_lines(node.iftrue.block_items))
+        node = node.iffalse
+    calls.extend(_lines(node.block_items))
+    return Line("choose", target, tuple(operands), body=tuple(calls))
+
+
+def _operand(node: Any) -> str:
+    """Return an operand: a name, a component, or a literal as its C type and exact value."""
+    match node:
+        case c_ast.ID():
+            return str(node.name)
+        case c_ast.Constant():
+            return _literal(node)
+        case c_ast.UnaryOp() if node.op == "-" and isinstance(node.expr, c_ast.Constant):
+            return "-" + _literal(node.expr)
+        case c_ast.ArrayRef():
+            return f"{_operand(node.name)}[{_expression(node.subscript)}]"
+        case c_ast.StructRef() if node.type == "->":
+            return f"{_operand(node.name)}->{node.field.name}"
+    raise UnreadableError(f"an operand that is not emitted: {type(node).__name__}")
+
+
+def _literal(node: Any) -> str:
+    text = str(node.value)
+    if node.type == "int":
+        return text
+    number = NUMBERS.get(node.type)
+    if number is None:
+        raise UnreadableError(f"a literal of type {node.type}: {text}")
+    return f"{node.type} {number.round(Fraction(text.rstrip('fF')))}"
+
+
+def _expression(node: Any) -> str:
+    """Return an index expression, canonical: constants and sums of multiples of counters."""
+    terms: dict[str, int] = {}
+    _collect(node, 1, terms)
+    return affine(terms)
+
+
+def affine(terms: Mapping[str, int]) -> str:
+    """Return `{'n': 3, '': -1}` as a canonical text, the constant under the empty name."""
+    return " + ".join(f"{factor}*{name}" if name else str(factor) for name, factor in sorted(terms.items()) if factor) or "0"
+
+
+def _collect(node: Any, factor: int, terms: dict[str, int]) -> None:
+    match node:
+        case c_ast.Constant() if node.type == "int":
+            terms[""] = terms.get("", 0) + factor * int(node.value)
+        case c_ast.ID():
+            terms[node.name] = terms.get(node.name, 0) + factor
+        case c_ast.UnaryOp() if node.op == "-":
+            _collect(node.expr, -factor, terms)
+        case c_ast.BinaryOp() if node.op in "+-":
+            _collect(node.left, factor, terms)
+            _collect(node.right, factor if node.op == "+" else -factor, terms)
+        case c_ast.BinaryOp() if node.op == "*" and isinstance(node.left, c_ast.Constant):
+            _collect(node.right, factor * int(node.left.value), terms)
+        case _:
+            raise UnreadableError(f"an index that is not emitted: {type(node).__name__}")

@@ -1,0 +1,182 @@
+"""Contract: what the emitted files say of themselves, as lines of text: banner, macros, and above each function."""
+
+from __future__ import annotations
+
+import textwrap
+from dataclasses import dataclass
+from fractions import Fraction
+
+from qcone import __version__
+from qcone.assembly import Declaration
+from qcone.backends.counts import Counts
+from qcone.backends.page import Macro
+from qcone.design import Design
+from qcone.formats.floating import Floating
+from qcone.ir.specification import Algorithm
+from qcone.ir.statement import Routine
+from qcone.passes.exponential import Exponential
+
+INTERFACE = 1
+"""Raised when the emitted functions, macros or state change their meaning."""
+WIDTH = 96
+FLAGS = "-std=c99 -ffp-contract=off"
+ANY_MACHINE = (
+    "The bits are the same on every machine that rounds each operation to its own IEEE 754 format. Under "
+    "flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload and sign of a NaN are "
+    "unspecified."
+)
+
+
+@dataclass(frozen=True)
+class Facts:
+    """What is known of a design when its files are written."""
+
+    design: Design
+    algorithm: Algorithm
+    number: Floating
+    known: Declaration
+    exponential: Exponential | None
+    counts: dict[str, dict[str, Counts]]
+    """Counts by routine, then by level: as-written, shared, emitted."""
+
+
+def command(design: Design) -> str:
+    """Return the command that makes the files again."""
+    return f"qcone generate {design.file or 'DESIGN.toml'} --design {design.name}"
+
+
+def banner(facts: Facts) -> tuple[str, ...]:
+    """Return the lines of the comment that opens both files."""
+    design, algorithm = facts.design, facts.algorithm
+    lines = [
+        f"qcone {__version__}, design {design.name}, SHA-256 of the design",
+        design.digest,
+        "",
+        *_item("algorithm", f"{algorithm.name}, form {design.form}, {_accumulation(design)}"),
+        *_item("source", _source(algorithm)),
+        *_item("number", f"{facts.number.name}, every operation rounded once"),
+        *_item("flags", f"{FLAGS}; with gcc, where the target has vector FMA, also -fno-tree-vectorize"),
+        "",
+        *_item("range", _range(facts)),
+        *_item("truncation", truncation(facts)),
+        *_item("rounding", "not bounded"),
+        "",
+        "operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig",
+    ]
+    for routine, levels in facts.counts.items():
+        for level, counts in levels.items():
+            lines.append(
+                f"{routine + ' ' + level:<18}{counts.multiply:>8}{counts.power_of_two:>8}{counts.add:>5}"
+                f"{counts.subtract:>10}{counts.negate:>8}{counts.divide:>8}{counts.square_root:>6}{counts.trigonometric:>6}"
+            )
+    return tuple(lines + ["", *textwrap.wrap(ANY_MACHINE, WIDTH)])
+
+
+def _item(title: str, text: str) -> list[str]:
+    return textwrap.wrap(f"{title + ':':<12} {text}", WIDTH, subsequent_indent=" " * 13)
+
+
+def _accumulation(design: Design) -> str:
+    if design.form == "as-written":
+        return "q' = q (x) r, not renormalised"
+    kinds = {
+        "standard": "q' = q (x) r",
+        "delta": "q' = q + q (x) (r - 1)",
+        "compensated": "q' = q + q (x) (r - 1), the rounding carried to the next update (Kahan)",
+    }
+    folded = {"every": "renormalised on every update", "separate": "renormalised by a call", "never": "not renormalised"}
+    return f"{kinds[design.number.accumulate]}, {folded[design.renormalise]}"
+
+
+def _source(algorithm: Algorithm) -> str:
+    errata = "".join(f"; {each}" for each in algorithm.errata)
+    return f"{algorithm.source}{errata}"
+
+
+def _range(facts: Facts) -> str:
+    design, known = facts.design, facts.known
+    text = (
+        f"|omega| <= {_decimal(design.imu.max_rate_dps)} deg/s ({_digits(known.rate)} rad/s), "
+        f"{_decimal(design.imu.update_hz)} updates/s; |dtheta| <= {_digits(known.increment)} rad"
+    )
+    if facts.exponential:
+        text += f"; |phi| <= {_digits(facts.exponential.phi_max)} rad"
+    return text + "; beyond it accuracy is lost, nothing else"
+
+
+def truncation(facts: Facts) -> str:
+    """Return the proven error of the exponential's polynomials, as a sentence."""
+    chosen = facts.exponential
+    if chosen is None:
+        return "none: no function is approximated"
+    return (
+        f"{chosen.kind} polynomials of degree {len(chosen.series.cosine)} (cos) and {len(chosen.series.sine)} (sin) in "
+        f"|phi|^2; error of r at most {_digits(chosen.scalar_error, 2)} (scalar), {_digits(chosen.vector_error, 2)} "
+        "(vector), proved over the rationals"
+    )
+
+
+def _digits(value: Fraction, digits: int = 5) -> str:
+    return f"{float(value):.{digits}g}"
+
+
+def _decimal(value: Fraction) -> str:
+    return str(int(value)) if value.denominator == 1 else f"{float(value):.17g}"
+
+
+def macros(facts: Facts, initialiser: str) -> tuple[Macro, ...]:
+    """Return the macros of the header."""
+    name = facts.design.name.upper()
+    interval = facts.number.literal(facts.number.round(facts.known.interval))
+    return (
+        Macro(f"{name}_VERSION", str(INTERFACE), "Interface of the emitted code; companions check it."),
+        Macro(f"{name}_SUBSAMPLES", str(facts.algorithm.subsamples), "Samples handed to one update."),
+        Macro(f"{name}_INTERVAL_S", interval, "Time of one update in seconds."),
+        Macro(f"{name}_STATE_INIT", initialiser, "Initialiser of a state: what init() sets."),
+    )
+
+
+def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
+    """Return the contract above a prototype: purpose, arguments with units and ranges, what is promised."""
+    ctype, n = facts.number.ctype, facts.algorithm.subsamples
+    rates = facts.design.input == "rate"
+    text: dict[str, list[str]] = {
+        "init": ["The attitude is the identity; history and residual are empty."],
+        "set_quaternion": [
+            "q_nb: w, x, y, z, of unit length to within the format's rounding; body to navigation.",
+            "One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are cleared.",
+        ],
+        "start": ["omega: rad/s, sensor axes. To be called once before the first update."],
+        "renormalise": ["To be called by the user now and then; one Newton step."],
+        "quaternion": [f"q_nb: w, x, y, z; body to navigation. |q_nb| = 1 {_norm(facts)}."],
+        "dcm": ["c_nb: row major, v_n = C_nb v_b, of the attitude as quaternion() gives it."],
+    }
+    if routine.name != "update":
+        lines = text[routine.name]
+    else:
+        given = "omega" if rates else "dtheta"
+        unit = "rad/s, the newest rate last" if rates else "rad, the integral of the body rate over each sub-sample"
+        bound = facts.known.rate if rates else facts.known.increment
+        lines = [
+            f"{given}: {n} x 3 values, {given}[3*k + axis], sub-sample k = 0 first; {unit}; sensor axes.",
+            f"Range: norm of each at most {_digits(bound)}. Beyond it accuracy is lost, nothing else.",
+            f"Truncation: {truncation(facts)}. Rounding: not bounded.",
+        ]
+        if rates:
+            lines.insert(1, "The rate at the start of the interval is the last one of the update before, or start()'s.")
+        if facts.algorithm.previous:
+            lines.append(f"The first {facts.algorithm.previous} updates after a restart use no history.")
+    tail = ["Arguments must not overlap the state. A reader that interrupts an update may see a torn state."]
+    wrapped = [line for text_line in [*lines, *(tail if routine.name == "update" else [])] for line in _wrap(text_line)]
+    return (*_wrap(f"{routine.summary} Type of values: {ctype}."), "", *wrapped)
+
+
+def _wrap(text: str) -> list[str]:
+    return textwrap.wrap(text, WIDTH, subsequent_indent="  ")
+
+
+def _norm(facts: Facts) -> str:
+    design = facts.design
+    if design.form == "factored" and design.renormalise == "every":
+        return "to within a few units of the last place"
+    return "up to the drift of truncation and rounding, not bounded"

@@ -1,0 +1,1 @@
+"""Number formats: how an exact constant becomes a number of a machine, and how C writes it."""

@@ -1,0 +1,143 @@
+"""Legality of a routine, checked after every pass: cheap, always on, and precise about what is wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from enum import Enum
+
+from qcone.errors import QconeError
+from qcone.ir import machine, operations
+from qcone.ir.machine import MachineOp
+from qcone.ir.operations import RealOp
+from qcone.ir.statement import Advance, Call, Choose, Index, Loop, Operation, Place, Program, Role, Routine, Statement, Write
+
+
+class IllegalRoutineError(QconeError):
+    """A pass left a routine that breaks a rule of its language: a bug of ours (exit code 70)."""
+
+
+ARITY: Mapping[Enum, int] = {**operations.ARITY, **machine.ARITY}
+
+
+def check(routine: Routine, language: type[Enum]) -> Routine:
+    """Return the routine if it is legal in `language` (RealOp or MachineOp), else raise IllegalRoutineError."""
+    _Checker(routine, language).run()
+    for callee in routine.callees.values():
+        check(callee, language)
+    return routine
+
+
+def check_program(program: Program, language: type[Enum]) -> Program:
+    """Check every routine, and that each block of the state is the same wherever it appears."""
+    state = {block.name: block for block in program.state}
+    for routine in program.routines:
+        check(routine, language)
+        for block in routine.having(Role.STATE):
+            if state.get(block.name) != block:
+                raise IllegalRoutineError(f"{routine.name}: the state has no block {block}")
+    return program
+
+
+class _Checker:
+    def __init__(self, routine: Routine, language: type[Enum]) -> None:
+        self.routine, self.language = routine, language
+        self.defined: set[int] = set()
+        self.written: set[str] = set()
+
+    def run(self) -> None:
+        self._body(self.routine.body, {}, frozenset())
+
+    def _body(self, body: Sequence[Statement], counters: Mapping[str, tuple[int, int]], visible: frozenset[int]) -> None:
+        known = set(visible)
+        for statement in body:
+            if not 0 <= statement.step < len(self.routine.steps):
+                self._fail(statement, f"step {statement.step} is not in the routine")
+            match statement:
+                case Operation():
+                    self._operation(statement, counters, known)
+                case Write():
+                    self._use(statement, (statement.value,), known)
+                    self._place(statement, statement.place, counters)
+                    if self.routine.block(statement.place.block).role in (Role.INPUT, Role.TABLE):
+                        self._fail(statement, f"'{statement.place.block}' is read only")
+                    self.written.add(statement.place.block)
+                case Loop():
+                    first, last = _span(statement.first, counters)[0], _span(statement.last, counters)[1]
+                    if statement.counter in counters:
+                        self._fail(statement, f"the counter '{statement.counter}' is in use")
+                    self._body(statement.body, {**counters, statement.counter: (first, last)}, frozenset(known))
+                case Call():
+                    self._call(statement, known)
+                case Advance():
+                    self._place(statement, statement.place, counters)
+                case Choose():
+                    if len(body) != 1 or counters:
+                        self._fail(statement, "a routine that hands its call on does nothing else")
+
+    def _operation(self, statement: Operation, counters: Mapping[str, tuple[int, int]], known: set[int]) -> None:
+        op = statement.op
+        if not isinstance(op, self.language):
+            self._fail(statement, f"{op} is not of the language {self.language.__name__}")
+        if len(statement.args) != ARITY[op]:
+            self._fail(statement, f"{op.value} takes {ARITY[op]} operands, not {len(statement.args)}")
+        self._use(statement, statement.args, known)
+        if (statement.constant is not None) != (op in (RealOp.CONSTANT, MachineOp.LITERAL)):
+            self._fail(statement, "a constant, and nothing else, holds a number")
+        if (statement.place is not None) != (op in (RealOp.READ, MachineOp.READ)):
+            self._fail(statement, "a read, and nothing else, holds a place")
+        if statement.place is not None:
+            self._place(statement, statement.place, counters)
+            block = self.routine.block(statement.place.block)
+            if block.role is Role.STATE and block.name in self.written:
+                self._fail(statement, f"the state '{block.name}' is read after it was written")
+        if (statement.format is None) != (self.language is RealOp):
+            self._fail(statement, "a machine value has a format, a real value has none")
+        self._define(statement, statement.result, known)
+
+    def _call(self, statement: Call, known: set[int]) -> None:
+        callee = self.routine.callees.get(statement.routine)
+        if callee is None:
+            self._fail(statement, f"there is no routine '{statement.routine}'")
+            return
+        takes = sum(block.size for block in callee.having(Role.INPUT))
+        gives = sum(block.size for block in callee.having(Role.OUTPUT))
+        if (len(statement.args), len(statement.results)) != (takes, gives):
+            self._fail(statement, f"'{callee.name}' takes {takes} components and gives {gives}")
+        self._use(statement, statement.args, known)
+        for result in statement.results:
+            self._define(statement, result, known)
+
+    def _place(self, statement: Statement, place: Place, counters: Mapping[str, tuple[int, int]]) -> None:
+        try:
+            block = self.routine.block(place.block)
+        except KeyError:
+            self._fail(statement, f"there is no block '{place.block}'")
+            return
+        low, high = _span(place.index, counters)
+        if low < 0 or high >= block.size:
+            self._fail(statement, f"{place} is outside the {block.size} components of '{block.name}'")
+
+    def _use(self, statement: Statement, args: Sequence[int], known: set[int]) -> None:
+        for arg in args:
+            if arg not in known:
+                self._fail(statement, f"value {arg} is not defined here")
+
+    def _define(self, statement: Statement, result: int, known: set[int]) -> None:
+        if result in self.defined:
+            self._fail(statement, f"value {result} is defined twice")
+        self.defined.add(result)
+        known.add(result)
+
+    def _fail(self, statement: Statement, why: str) -> None:
+        raise IllegalRoutineError(f"routine '{self.routine.name}': {statement}: {why}")
+
+
+def _span(index: Index, counters: Mapping[str, tuple[int, int]]) -> tuple[int, int]:
+    """Return the least and the greatest value of an index over the ranges of its counters."""
+    low = high = index.constant
+    for name, factor in index.terms:
+        if name not in counters:
+            raise IllegalRoutineError(f"index {index}: there is no loop over '{name}' here")
+        ends = [factor * end for end in counters[name]]
+        low, high = low + min(ends), high + max(ends)
+    return low, high

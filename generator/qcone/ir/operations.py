@@ -1,0 +1,37 @@
+"""The operations of the real language, one row each."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+
+class RealOp(Enum):
+    """An operation on real numbers; the value is its name in text dumps."""
+
+    CONSTANT = "constant"
+    READ = "read"
+    ADD = "add"
+    SUBTRACT = "subtract"
+    MULTIPLY = "multiply"
+    DIVIDE = "divide"
+    NEGATE = "negate"
+    SQUARE_ROOT = "square_root"
+    SINE = "sine"
+    COSINE = "cosine"
+    ACCUMULATE = "accumulate"
+    """state + increment. In exact arithmetic an addition; the number format says how the rounding is carried."""
+
+
+ARITY = {
+    RealOp.CONSTANT: 0,
+    RealOp.READ: 0,
+    RealOp.ADD: 2,
+    RealOp.SUBTRACT: 2,
+    RealOp.MULTIPLY: 2,
+    RealOp.DIVIDE: 2,
+    RealOp.NEGATE: 1,
+    RealOp.SQUARE_ROOT: 1,
+    RealOp.SINE: 1,
+    RealOp.COSINE: 1,
+    RealOp.ACCUMULATE: 2,
+}

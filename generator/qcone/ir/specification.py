@@ -1,0 +1,87 @@
+"""Algorithm: an author's function with what must be known beside it. The catalogue and a user's paper use the same."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from qcone.errors import UsageError
+
+Author = Callable[..., Any]
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where an algorithm is printed: the paper's key ("cao", "xu2019", ...) and its equation numbers."""
+
+    key: str
+    equation: str
+
+    def __str__(self) -> str:
+        """Return `cao (12), (14)`."""
+        return f"{self.key} {self.equation}".strip()
+
+
+@dataclass(eq=False)
+class Algorithm:
+    """One attitude update: what it needs, the author's function, and what is claimed of it.
+
+    `write` receives the blocks it names as arguments: `q` (attitude quaternion, body to navigation),
+    `dtheta` (a tuple of `subsamples` angle increments, rad) and, with `previous` > 0, `previous` (a tuple of
+    the increments before them, newest first). It returns the new attitude. `written` is the paper's own
+    form where that differs. `startup` serves the first updates after a restart, until the history is full.
+    `order` is the global order of accuracy in general motion; `properties` are the symmetries that hold
+    to the last bit: "cyclic", "flip", "time-reversal", "constant-rate".
+    """
+
+    name: str
+    source: Source
+    subsamples: int
+    write: Author
+    previous: int = 0
+    written: Author | None = None
+    startup: Algorithm | None = None
+    order: int | None = None
+    properties: frozenset[str] = field(default_factory=frozenset)
+    errata: tuple[str, ...] = ()
+    summary: str = ""
+
+    def factored(self, function: Author) -> Algorithm:
+        """Take `function` as the form firmware runs; what was decorated first stays the paper's own form."""
+        self.written, self.write = self.write, function
+        return self
+
+    def author(self, form: str) -> Author:
+        """Return the author's function for a form, "as-written" or "factored"."""
+        return self.written if form == "as-written" and self.written is not None else self.write
+
+
+def algorithm(
+    name: str, *, source: Source, subsamples: int = 1, previous: int = 0, order: int | None = None,
+    properties: frozenset[str] = frozenset(), startup: Algorithm | None = None, errata: tuple[str, ...] = (),
+    summary: str = "",
+) -> Callable[[Author], Algorithm]:
+    """Make an `Algorithm` of the decorated function.
+
+    With `previous` > 0 and no `startup`, the start-up sees zeros for the increments it does not have yet.
+    Raises UsageError for a number of sub-samples or of previous increments that makes no sense.
+    """
+    if not 1 <= subsamples <= MOST_SUBSAMPLES:
+        raise UsageError(f"algorithm '{name}': subsamples = {subsamples} is not between 1 and {MOST_SUBSAMPLES}")
+    if not 0 <= previous <= MOST_SUBSAMPLES:
+        raise UsageError(f"algorithm '{name}': previous = {previous} is not between 0 and {MOST_SUBSAMPLES}")
+
+    def decorate(function: Author) -> Algorithm:
+        return Algorithm(
+            name=name, source=source, subsamples=subsamples, write=function, previous=previous, order=order,
+            properties=properties, startup=startup, errata=errata, summary=summary,
+        )
+
+    return decorate
+
+
+MOST_SUBSAMPLES = 12
+"""More than any paper uses; a number above it is a slip of the pen, not a design."""
+
+

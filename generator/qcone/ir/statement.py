@@ -1,0 +1,285 @@
+"""Routines: named, typed blocks and a body of statements. Both languages are made of these parts.
+
+A routine is in static single assignment: a value is an integer, defined once, by one `Operation` (or one
+`Call`). Values defined inside a loop are not visible outside it; what a loop carries from one turn to the
+next lives in the components of a block. So a body can be printed as C, run on arrays, counted and bounded
+without any further analysis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from enum import Enum
+from fractions import Fraction
+from types import MappingProxyType
+
+from qcone.formats.floating import Floating
+
+
+class Shape(Enum):
+    """What a block holds; the value is the number of its components."""
+
+    SCALAR = 1
+    VECTOR = 3
+    QUATERNION = 4
+    MATRIX = 9
+
+
+SUFFIXES: Mapping[Shape, tuple[str, ...]] = MappingProxyType(
+    {
+        Shape.SCALAR: ("",),
+        Shape.VECTOR: ("_x", "_y", "_z"),
+        Shape.QUATERNION: ("_w", "_x", "_y", "_z"),
+        Shape.MATRIX: tuple(f"_{row}{column}" for row in "123" for column in "123"),
+    }
+)
+"""How the components of a block are called: q_w, phi_x, c_nb_31."""
+
+
+class Role(Enum):
+    """Where a block lives: kept between calls, handed in, handed out, constant, or inside one call."""
+
+    STATE = "state"
+    INPUT = "input"
+    OUTPUT = "output"
+    TABLE = "table"
+    LOCAL = "local"
+
+
+@dataclass(frozen=True)
+class Block:
+    """A named, typed block of components: `count` scalars, vectors, quaternions or matrices in a row.
+
+    `unit` is for the reader; `norm` bounds the Euclidean norm of each of the `count` entries, where it is
+    declared; `entries` are the constants of a table. `integer` marks a counter.
+    """
+
+    name: str
+    shape: Shape
+    role: Role
+    count: int = 1
+    unit: str = ""
+    norm: Fraction | None = None
+    entries: tuple[Fraction, ...] = ()
+    integer: bool = False
+
+    @property
+    def size(self) -> int:
+        """Return the number of components."""
+        return self.shape.value * self.count
+
+
+@dataclass(frozen=True)
+class Index:
+    """A component number, affine in the counters of the loops around it."""
+
+    constant: int = 0
+    terms: tuple[tuple[str, int], ...] = ()
+
+    def at(self, counters: Mapping[str, int]) -> int:
+        """Return the number for the given values of the loop counters."""
+        return self.constant + sum(factor * counters[name] for name, factor in self.terms)
+
+    def __add__(self, other: Index | int) -> Index:
+        """Add a number or another affine index."""
+        if isinstance(other, int):
+            return Index(self.constant + other, self.terms)
+        factors = dict(self.terms)
+        for name, factor in other.terms:
+            factors[name] = factors.get(name, 0) + factor
+        kept = tuple((name, factor) for name, factor in factors.items() if factor)
+        return Index(self.constant + other.constant, kept)
+
+    __radd__ = __add__
+
+    def __mul__(self, factor: int) -> Index:
+        """Scale by a whole number."""
+        terms = tuple((name, factor * each) for name, each in self.terms if factor * each)
+        return Index(self.constant * factor, terms)
+
+    __rmul__ = __mul__
+
+    def __sub__(self, other: Index | int) -> Index:
+        """Subtract a number or another affine index."""
+        return self + (-other if isinstance(other, int) else other * -1)
+
+    def __rsub__(self, other: int) -> Index:
+        """Subtract this index from a number."""
+        return self * -1 + other
+
+    def __str__(self) -> str:
+        """Return the index as C writes it: `3*n + j - 1`."""
+        text = ""
+        for name, factor in self.terms:
+            part = name if abs(factor) == 1 else f"{abs(factor)} * {name}"
+            text += (" - " if factor < 0 else " + ") + part if text else ("-" if factor < 0 else "") + part
+        if not text:
+            return str(self.constant)
+        if self.constant:
+            text += f" {'-' if self.constant < 0 else '+'} {abs(self.constant)}"
+        return text
+
+
+@dataclass(frozen=True)
+class Place:
+    """One component of a block."""
+
+    block: str
+    index: Index = Index()
+
+    def __str__(self) -> str:
+        """Return `block[index]`."""
+        return f"{self.block}[{self.index}]"
+
+
+@dataclass(frozen=True)
+class Operation:
+    """Define one value. `constant` belongs to a constant, `place` to a read; `format` is None in the real language.
+
+    In the machine language `constant` is rounded to the format and `exact` is what it was rounded from.
+    """
+
+    result: int
+    op: Enum
+    args: tuple[int, ...] = ()
+    constant: Fraction | None = None
+    place: Place | None = None
+    step: int = 0
+    format: Floating | None = None
+    exact: Fraction | None = None
+
+
+@dataclass(frozen=True)
+class Write:
+    """Store a value in a component of a state, output or local block."""
+
+    place: Place
+    value: int
+    step: int = 0
+
+
+@dataclass(frozen=True)
+class Loop:
+    """Run the body for the counter from `first` to `last`, both included; the bounds may use outer counters."""
+
+    counter: str
+    first: Index
+    last: Index
+    body: tuple[Statement, ...]
+    step: int = 0
+
+    def turns(self, counters: Mapping[str, int]) -> range:
+        """Return the counter's values, given those of the outer loops."""
+        return range(self.first.at(counters), self.last.at(counters) + 1)
+
+
+@dataclass(frozen=True)
+class Call:
+    """Call a routine of scalars: its input components are `args`, its output components become `results`."""
+
+    routine: str
+    args: tuple[int, ...]
+    results: tuple[int, ...]
+    step: int = 0
+
+
+@dataclass(frozen=True)
+class Advance:
+    """Add one to an integer counter of the state."""
+
+    place: Place
+    step: int = 0
+
+
+@dataclass(frozen=True)
+class Choose:
+    """Hand the call on: to the first routine whose limit is above the counter, else to `otherwise`."""
+
+    place: Place
+    cases: tuple[tuple[int, str], ...]
+    otherwise: str
+    step: int = 0
+
+
+Statement = Operation | Write | Loop | Call | Advance | Choose
+
+
+@dataclass(frozen=True)
+class Step:
+    """A block of operations with a heading: the equation as text, and where it stands in its source."""
+
+    text: str
+    equation: str = ""
+
+
+@dataclass(frozen=True)
+class Group:
+    """A vector, quaternion or scalar as one thing: how its component values arose from other groups.
+
+    Range analysis needs it: |a x b| <= |a| |b| cannot be seen from components one by one. `kind` is the
+    operation's name ("input", "sum", "difference", "scale", "cross", "dot", "product", "other").
+    """
+
+    kind: str
+    values: tuple[int, ...]
+    operands: tuple[int, ...] = ()
+    factor: Fraction | None = None
+    norm: Fraction | None = None
+
+
+@dataclass(frozen=True)
+class Routine:
+    """A body over blocks. `names` gives the printed names of values; `callees` the routines it may call."""
+
+    name: str
+    blocks: tuple[Block, ...]
+    body: tuple[Statement, ...]
+    steps: tuple[Step, ...] = (Step(""),)
+    names: Mapping[int, str] = field(default_factory=dict)
+    groups: tuple[Group, ...] = ()
+    callees: Mapping[str, Routine] = field(default_factory=dict)
+    summary: str = ""
+
+    def block(self, name: str) -> Block:
+        """Return the block of that name; KeyError when there is none."""
+        for block in self.blocks:
+            if block.name == name:
+                return block
+        raise KeyError(name)
+
+    def having(self, role: Role) -> tuple[Block, ...]:
+        """Return the blocks of one role, in order."""
+        return tuple(block for block in self.blocks if block.role is role)
+
+    def with_body(self, body: tuple[Statement, ...]) -> Routine:
+        """Return the same routine with another body."""
+        return replace(self, body=body)
+
+
+@dataclass(frozen=True)
+class Program:
+    """The routines of one design over one state, in the order they are printed."""
+
+    name: str
+    state: tuple[Block, ...]
+    routines: tuple[Routine, ...]
+
+    def routine(self, name: str) -> Routine:
+        """Return the routine of that name; KeyError when there is none."""
+        for routine in self.routines:
+            if routine.name == name:
+                return routine
+        raise KeyError(name)
+
+    def has(self, name: str) -> bool:
+        """Tell whether there is a routine of that name."""
+        return any(routine.name == name for routine in self.routines)
+
+
+def walk(body: tuple[Statement, ...]) -> Iterator[Statement]:
+    """Yield every statement, those inside loops too, in order."""
+    for statement in body:
+        yield statement
+        if isinstance(statement, Loop):
+            yield from walk(statement.body)

@@ -1,0 +1,122 @@
+"""Compensate: carry the rounding of q to the next update, by Kahan's sum in place of q + dq.
+
+y = d - c, t = q + y, c' = (t - q) - y: in exact arithmetic c stays zero and t is q + d; in floating point
+c' is what the sum lost. The residual c joins the state; what sets q anew clears it; what reports q reports
+q - c, rounded once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from fractions import Fraction
+
+from qcone.ir.operations import RealOp
+from qcone.ir.statement import (
+    Block,
+    Call,
+    Index,
+    Operation,
+    Place,
+    Program,
+    Role,
+    Routine,
+    Shape,
+    Statement,
+    Step,
+    Write,
+    walk,
+)
+from qcone.passes.rebuild import rebuild
+
+RESIDUAL = Block("residual", Shape.QUATERNION, Role.STATE, unit="rounding error that q carries: attitude is q - residual")
+SETTING = frozenset({"init", "set_quaternion"})
+"""The routines that set the attitude anew."""
+
+
+def compensate(program: Program) -> Program:
+    """Return the program with compensated accumulation of its attitude."""
+    state = (program.state[0], RESIDUAL, *program.state[1:])
+    return replace(program, state=state, routines=tuple(_routine(routine) for routine in program.routines))
+
+
+def _routine(routine: Routine) -> Routine:
+    accumulates = any(isinstance(each, Operation) and each.op is RealOp.ACCUMULATE for each in walk(routine.body))
+    reports = bool(routine.having(Role.OUTPUT))
+    if not any(block.name == "q" for block in routine.blocks):
+        return routine
+    work = _Compensation(routine)
+    if accumulates:
+        body = rebuild(routine.body, work.accumulate, {})
+        body += tuple(Write(_residual(part), value, len(work.steps) - 1) for part, value in enumerate(work.left))
+    elif routine.name in SETTING:
+        body = (*routine.body, *work.clear())
+    elif reports:
+        renamed: dict[int, int] = {}
+        body = rebuild(routine.body, lambda operation: work.report(operation, renamed), renamed)
+    else:
+        body = routine.body
+    at = 1 + next(i for i, block in enumerate(routine.blocks) if block.name == "q")
+    blocks = (*routine.blocks[:at], RESIDUAL, *routine.blocks[at:])
+    return replace(routine, blocks=blocks, body=body, names=work.names, steps=tuple(work.steps))
+
+
+def _residual(part: int) -> Place:
+    return Place(RESIDUAL.name, Index(part))
+
+
+class _Compensation:
+    """Writes the added statements of one routine."""
+
+    def __init__(self, routine: Routine) -> None:
+        self.names = dict(routine.names)
+        self.steps = [*routine.steps]
+        self.left: list[int] = []
+        results = [each.result for each in walk(routine.body) if isinstance(each, Operation)]
+        results += [value for each in walk(routine.body) if isinstance(each, Call) for value in each.results]
+        self.next = max(results, default=-1) + 1
+
+    def _new(self, name: str, op: RealOp, args: tuple[int, ...], step: int, place: Place | None = None) -> Operation:
+        operation = Operation(self.next, op, args, place=place, step=step)
+        self.names[self.next] = name
+        self.next += 1
+        return operation
+
+    def _step(self, text: str) -> int:
+        step = Step(text, "Kahan 1965")
+        if step not in self.steps:
+            self.steps.append(step)
+        return self.steps.index(step)
+
+    def accumulate(self, operation: Operation) -> Iterable[Statement]:
+        """Write y = d - c, t = q + y, c' = (t - q) - y for one component."""
+        if operation.op is not RealOp.ACCUMULATE:
+            return (operation,)
+        q, change = operation.args
+        part, suffix = len(self.left), "wxyz"[len(self.left)]
+        step = self._step("y = dq - c, q_next = q + y, c_next = (q_next - q) - y, c the residual")
+        carried = self._new(f"c_{suffix}", RealOp.READ, (), step, _residual(part))
+        y = self._new(f"y_{suffix}", RealOp.SUBTRACT, (change, carried.result), step)
+        total = replace(operation, op=RealOp.ADD, args=(q, y.result), step=step)
+        gained = self._new(f"gained_{suffix}", RealOp.SUBTRACT, (total.result, q), step)
+        left = self._new(f"c_next_{suffix}", RealOp.SUBTRACT, (gained.result, y.result), step)
+        self.left.append(left.result)
+        return (carried, y, total, gained, left)
+
+    def clear(self) -> Iterable[Statement]:
+        """Write zero to the residual."""
+        step = len(self.steps) - 1
+        zero = Operation(self.next, RealOp.CONSTANT, constant=Fraction(0), step=step)
+        return (zero, *(Write(_residual(part), zero.result, step) for part in range(4)))
+
+    def report(self, operation: Operation, renamed: dict[int, int]) -> Iterable[Statement]:
+        """Write q - c after a read of q, and let it stand for q from there on."""
+        if operation.place is None or operation.place.block != "q":
+            return (operation,)
+        suffix = "wxyz"[operation.place.index.constant]
+        name = self.names.pop(operation.result, f"q_{suffix}")
+        self.names[operation.result] = f"state_{suffix}"
+        carried = self._new(f"residual_{suffix}", RealOp.READ, (), operation.step, _residual(operation.place.index.constant))
+        whole = self._new(name, RealOp.SUBTRACT, (operation.result, carried.result), operation.step)
+        renamed[operation.result] = whole.result
+        return (operation, carried, whole)

@@ -1,0 +1,54 @@
+"""Lower the real language to floating-point machine operations, one for one; constants are rounded here, once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from qcone.errors import UsageError
+from qcone.formats.floating import Floating
+from qcone.ir.machine import MachineOp
+from qcone.ir.operations import RealOp
+from qcone.ir.statement import Operation, Program, Routine, Statement
+from qcone.passes.rebuild import rebuild
+
+ONE_FOR_ONE: Mapping[object, MachineOp] = {
+    RealOp.READ: MachineOp.READ,
+    RealOp.ADD: MachineOp.ADD,
+    RealOp.ACCUMULATE: MachineOp.ADD,
+    RealOp.SUBTRACT: MachineOp.SUBTRACT,
+    RealOp.MULTIPLY: MachineOp.MULTIPLY,
+    RealOp.DIVIDE: MachineOp.DIVIDE,
+    RealOp.NEGATE: MachineOp.NEGATE,
+}
+
+
+def lower_program(program: Program, number: Floating) -> Program:
+    """Return the program with every routine in machine operations of one floating-point format."""
+    return replace(program, routines=tuple(lower_float(routine, number) for routine in program.routines))
+
+
+def lower_float(routine: Routine, number: Floating) -> Routine:
+    """Return the routine in machine operations of one floating-point format.
+
+    Raises UsageError for an operation firmware does without: a square root, a sine or a cosine.
+    """
+
+    def visit(operation: Operation) -> Iterable[Statement]:
+        if operation.op is RealOp.CONSTANT and operation.constant is not None:
+            rounded = number.round(operation.constant)
+            exact = operation.constant
+            return (replace(operation, op=MachineOp.LITERAL, constant=rounded, exact=exact, format=number),)
+        if operation.op in ONE_FOR_ONE:
+            return (replace(operation, op=ONE_FOR_ONE[operation.op], format=number),)
+        raise UsageError(
+            f"the routine '{routine.name}' takes a {operation.op.value.replace('_', ' ')}, which emitted C does "
+            'without: set form = "factored"'
+        )
+
+    body = rebuild(routine.body, visit, {})
+    blocks = tuple(
+        replace(block, entries=tuple(number.round(entry) for entry in block.entries)) for block in routine.blocks
+    )
+    callees = {name: lower_float(callee, number) for name, callee in routine.callees.items()}
+    return replace(routine, body=body, blocks=blocks, callees=callees)

@@ -1,0 +1,33 @@
+"""Walk a body and rebuild it, renaming values on the way: what every pass over statements has in common."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Statement, Write
+
+Visit = Callable[[Operation], Iterable[Statement]]
+
+
+def rebuild(body: tuple[Statement, ...], visit: Visit, renamed: dict[int, int]) -> tuple[Statement, ...]:
+    """Return the body with every operation replaced by what `visit` gives for it.
+
+    `visit` sees operations whose operands are renamed already, and may add to `renamed` to stand one
+    value in for another from there on.
+    """
+    result: list[Statement] = []
+    for statement in body:
+        match statement:
+            case Operation():
+                args = tuple(renamed.get(arg, arg) for arg in statement.args)
+                result.extend(visit(replace(statement, args=args)))
+            case Write():
+                result.append(replace(statement, value=renamed.get(statement.value, statement.value)))
+            case Loop():
+                result.append(replace(statement, body=rebuild(statement.body, visit, renamed)))
+            case Call():
+                result.append(replace(statement, args=tuple(renamed.get(arg, arg) for arg in statement.args)))
+            case Advance() | Choose():
+                result.append(statement)
+    return tuple(result)

@@ -1,0 +1,92 @@
+"""Carry signs to where they cost nothing: exact, up to the sign of a zero.
+
+A negation moves through products into the next sum, which becomes a difference; into a constant; or, if
+nothing takes it, stays before the write. So a signed permutation of the axes costs no operation. IEEE 754
+rounds symmetrically: (-a) b = -(a b) and (-a) + (-b) = -(a + b), bit for bit unless the result is a zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from qcone.ir.operations import RealOp
+from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Routine, Statement, Write, walk
+
+
+def signs(routine: Routine) -> Routine:
+    """Return the routine with negations absorbed wherever an operation can take them."""
+    if not any(isinstance(each, Operation) and each.op is RealOp.NEGATE for each in walk(routine.body)):
+        return routine
+    carrier = _Carrier(routine)
+    body = carrier.body(routine.body)
+    return replace(routine, body=body, names=carrier.names)
+
+
+class _Carrier:
+    """Knows, for every value of the old body, which new value stands for it and with which sign."""
+
+    def __init__(self, routine: Routine) -> None:
+        self.names = dict(routine.names)
+        self.stand_in: dict[int, tuple[int, int]] = {}
+        results = [each.result for each in walk(routine.body) if isinstance(each, Operation)]
+        results += [result for each in walk(routine.body) if isinstance(each, Call) for result in each.results]
+        self.next = max(results, default=-1) + 1
+
+    def body(self, body: tuple[Statement, ...]) -> tuple[Statement, ...]:
+        out: list[Statement] = []
+        for statement in body:
+            match statement:
+                case Operation():
+                    self._operation(statement, out)
+                case Write():
+                    value = self._positive(statement.value, statement, out.append)
+                    out.append(replace(statement, value=value))
+                case Loop():
+                    out.append(replace(statement, body=self.body(statement.body)))
+                case Call():
+                    args = tuple(self._positive(arg, statement, out.append) for arg in statement.args)
+                    out.append(replace(statement, args=args))
+                case Advance() | Choose():
+                    out.append(statement)
+        return tuple(out)
+
+    def _operation(self, operation: Operation, out: list[Statement]) -> None:
+        signed = [self.stand_in.get(arg, (1, arg)) for arg in operation.args]
+        sign = 1
+        match operation.op:
+            case RealOp.NEGATE:
+                sign, value = signed[0]
+                self.stand_in[operation.result] = (-sign, value)
+                if operation.result in self.names and value not in self.names:
+                    self.names[value] = self.names[operation.result] + ("_negated" if sign > 0 else "")
+                return
+            case RealOp.MULTIPLY | RealOp.DIVIDE:
+                sign = signed[0][0] * signed[1][0]
+                args = (signed[0][1], signed[1][1])
+                operation = replace(operation, args=args)
+            case RealOp.ADD | RealOp.SUBTRACT:
+                (s, a), (t, b) = signed
+                t = t if operation.op is RealOp.ADD else -t
+                if s == t:
+                    sign, operation = s, replace(operation, op=RealOp.ADD, args=(a, b))
+                else:
+                    first, second = (a, b) if s > 0 else (b, a)
+                    operation = replace(operation, op=RealOp.SUBTRACT, args=(first, second))
+            case _:
+                args = tuple(self._positive(arg, operation, out.append) for arg in operation.args)
+                operation = replace(operation, args=args)
+        if sign < 0:
+            self.stand_in[operation.result] = (-1, operation.result)
+            if operation.result in self.names:
+                self.names[operation.result] += "_negated"
+        out.append(operation)
+
+    def _positive(self, value: int, near: Statement, append: Callable[[Statement], None]) -> int:
+        sign, stand_in = self.stand_in.get(value, (1, value))
+        if sign > 0:
+            return stand_in
+        result, self.next = self.next, self.next + 1
+        append(Operation(result, RealOp.NEGATE, (stand_in,), step=near.step))
+        self.stand_in[value] = (1, result)
+        return result

@@ -1,0 +1,193 @@
+"""READ ME FIRST. From a design to a bundle of C, on one screen: spec, real, passes, machine, readings.
+
+    written   assemble the author's routine and those around it, nothing shared     real language
+    ready     fold constants, share, sweep, carry signs: exact passes only          real language
+    machine   lower to the number format, name every value                          machine language
+    readings  print C, count operations; the bit-true model runs the same routines
+
+`check` looks for legality after every pass. `verify.accept` reads the C back, compares bits, and gives the
+`VerifiedBundle` that alone can be written.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from qcone import contract
+from qcone.assembly import assemble, declaration, problem, rotation_bound, writing_of
+from qcone.backends import page as pages
+from qcone.backends.c_source import functions, state_fields, state_initialiser
+from qcone.backends.counts import Counts, count
+from qcone.bundle import Bundle
+from qcone.contract import Facts
+from qcone.design import Design
+from qcone.errors import UsageError
+from qcone.formats.floating import FLOATING, Floating
+from qcone.ir.check import check_program
+from qcone.ir.machine import MachineOp
+from qcone.ir.operations import RealOp
+from qcone.ir.specification import Algorithm
+from qcone.ir.statement import Program, Role, Routine, Shape
+from qcone.ir.writing import AS_WRITTEN
+from qcone.passes.compensate import compensate
+from qcone.passes.exponential import Exponential, choose
+from qcone.passes.fold import fold
+from qcone.passes.lower_float import lower_program
+from qcone.passes.naming import name_values
+from qcone.passes.share import share
+from qcone.passes.signs import signs
+from qcone.passes.sweep import sweep
+from qcone.registry import algorithm_of
+from qcone.targets.probe import contraction_probe
+
+EXACT: tuple[Callable[[Routine], Routine], ...] = (fold, share, sweep, signs, sweep)
+RESERVED = ("state", "result")
+
+
+def build(design: Design) -> Bundle:
+    """Return the bundle of a design: its programs, its C and its facts. Raises a QconeError that says why not."""
+    number = number_of(design)
+    algorithm = algorithm_of(design)
+    exponential = choose_exponential(design, algorithm, number)
+    written = write(design, algorithm, exponential)
+    ready = prepare(written, design)
+    machine = lower(ready, number)
+    facts = Facts(
+        design, algorithm, number, declaration(design, algorithm), exponential, levels(algorithm, design, ready, machine)
+    )
+    _within_budget(facts)
+    return _print(facts, written, machine)
+
+
+def number_of(design: Design) -> Floating:
+    """Return the design's number format. Raises UsageError for the formats that are not built yet."""
+    number = FLOATING.get(design.number.format)
+    if number is None:
+        what = f"number.format = \"{design.number.format}\" is not available in this version"
+        raise problem(design, "QC201", what, "", f"use {' or '.join(FLOATING)}")
+    if design.input == "counts":
+        raise problem(design, "QC202", 'input = "counts" is not available in this version', "", 'use input = "increment" or "rate"')
+    if "euler" in design.outputs:
+        raise problem(design, "QC203", 'the output "euler" is not available in this version', "", 'use "quaternion" and "dcm"')
+    return number
+
+
+def choose_exponential(design: Design, algorithm: Algorithm, number: Floating) -> Exponential | None:
+    """Return the polynomials of exp for the declared range; None where the algorithm takes no exp."""
+    phi_max = rotation_bound(algorithm, design)
+    if phi_max is None:
+        return None
+    try:
+        return choose(design.exponential, phi_max, number, design.number.accumulate)
+    except UsageError as error:
+        raise problem(design, "QC204", str(error)) from error
+
+
+def write(design: Design, algorithm: Algorithm, exponential: Exponential | None) -> Program:
+    """Return the program as its author wrote it, in the design's form."""
+    writing = writing_of(design, exponential.series if exponential else None)
+    return check_program(assemble(algorithm, design, writing), RealOp)
+
+
+def prepare(program: Program, design: Design) -> Program:
+    """Apply the exact passes: no bit of any result can change."""
+    if design.form == "factored" and design.number.accumulate == "compensated":
+        program = check_program(compensate(program), RealOp)
+    for each in EXACT:
+        program = replace(program, routines=tuple(map(each, program.routines)))
+        check_program(program, RealOp)
+    return program
+
+
+def lower(program: Program, number: Floating) -> Program:
+    """Type every value and give it a name."""
+    machine = check_program(lower_program(program, number), MachineOp)
+    named = tuple(name_values(routine, RESERVED) for routine in machine.routines)
+    return check_program(replace(machine, routines=named), MachineOp)
+
+
+def levels(algorithm: Algorithm, design: Design, ready: Program, machine: Program) -> dict[str, dict[str, Counts]]:
+    """Count the routines that firmware runs every update, at three levels."""
+    paper = assemble(algorithm, design, AS_WRITTEN)
+    found: dict[str, dict[str, Counts]] = {}
+    for routine in machine.routines:
+        if routine.name in ("init", "set_quaternion", "start", "quaternion", "renormalise"):
+            continue
+        if routine.name == "update" and machine.has("steady"):
+            continue
+        found[routine.name] = {
+            "as-written": count(paper.routine(routine.name)).as_papers_count(),
+            "shared": count(ready.routine(routine.name)),
+            "emitted": count(routine),
+        }
+    return found
+
+
+def _within_budget(facts: Facts) -> None:
+    """Raise a CheckError when an update costs more than the design's budget allows."""
+    from qcone.errors import CheckError
+
+    spent = facts.counts.get("steady") or facts.counts["update"]
+    for kind, allowed in facts.design.budget.items():
+        used = getattr(spent["emitted"], kind)
+        if used > allowed:
+            raise CheckError(
+                f"design '{facts.design.name}': an update takes {used} of '{kind}', over the budget of {allowed}: "
+                "choose a cheaper algorithm or raise the budget"
+            )
+
+
+def _print(facts: Facts, written: Program, machine: Program) -> Bundle:
+    number, name = facts.number, machine.name
+    documented = tuple(
+        pages.Documented(
+            each.signature, each.body, each.internal,
+            () if each.internal else contract.of_routine(machine.routine(each.routine), facts),
+        )
+        for each in functions(machine, number)
+    )
+    page = pages.Page(
+        name=name,
+        command=contract.command(facts.design),
+        license=facts.design.license,
+        facts=contract.banner(facts),
+        macros=contract.macros(facts, state_initialiser(machine, number)),
+        fields=tuple(pages.Field(*each) for each in state_fields(machine, number)),
+        functions=documented,
+        integers=any(block.integer for block in machine.state) or _has_loops(machine),
+        significand="FLT_MANT_DIG" if number.ctype == "float" else "DBL_MANT_DIG",
+        digits=number.precision,
+        interface=contract.INTERFACE,
+    )
+    driver = _driver(machine, number)
+    header, source = pages.header(page), pages.source(page)
+    return Bundle(
+        facts, written, machine, header, source, pages.driver(driver, page), pages.vectors_main(driver), driver
+    )
+
+
+def _has_loops(machine: Program) -> bool:
+    from qcone.ir.statement import Loop, walk
+
+    return any(isinstance(each, Loop) for routine in machine.routines for each in walk(routine.body))
+
+
+def _driver(machine: Program, number: Floating) -> pages.Driver:
+    words: list[str] = []
+    for block in machine.state:
+        cast = f"({number.ctype})" if block.integer else ""
+        single = block.shape is Shape.SCALAR and block.count == 1
+        words += [f"{cast}state.{block.name}{'' if single else f'[{k}]'}" for k in range(block.size)]
+    given = machine.routine("update").having(Role.INPUT)[0]
+    outputs = 4 + (9 if machine.has("dcm") else 0)
+    return pages.Driver(
+        name=machine.name, ctype=number.ctype, input_size=given.size, has_start=machine.has("start"),
+        has_dcm=machine.has("dcm"), state_words=tuple(words), word_count=len(words) + outputs,
+        probe=contraction_probe(f"{machine.name}_contracts"),
+    )
+
+
+def build_all(designs: Sequence[Design]) -> tuple[Bundle, ...]:
+    """Build several designs, in order."""
+    return tuple(build(design) for design in designs)

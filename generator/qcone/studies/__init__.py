@@ -1,0 +1,1 @@
+"""Experiments over designs: recordings in, attitudes and comparisons out."""

@@ -1,0 +1,135 @@
+"""Report fused arithmetic: a C function that tells whether the build it stands in contracts a*b + c.
+
+A fused multiply-add skips the rounding of the product, so the bits are no longer those of the written
+operations. The probe multiplies numbers whose product is one rounding away from a known value and subtracts
+that value: what remains is 0 when the product was rounded, and the lost bits when it was not.
+"""
+
+from __future__ import annotations
+
+import functools
+import platform
+import subprocess
+import sys
+from pathlib import Path
+
+CONTRACTED = 1
+"""Bit 0 of the probe: a*b + c was fused, in one expression or across two statements."""
+
+SLP_CONTRACTED = 2
+"""Bit 1 of the probe: neighbouring subtract and add lanes were fused (gcc's SLP vectoriser)."""
+
+# (1 + e)^2 = 1 + 2e + e^2 with e^2 a quarter of an ulp: rounding drops e^2, fusing does not.
+# Every form reads its own operands: a compiler does not fuse a product that has another use.
+_PLAIN = """\
+/* 1 + e and 1 + 2e, its square when that is rounded; e = 2^-BITS. Volatile: the compiler computes nothing. */
+static volatile REAL NAME_REAL[2] = {FACTOR, PRODUCT};
+
+static int NAME_REAL_plain(void)
+{
+    const REAL a = NAME_REAL[0];
+    const REAL expression = (a * a) - NAME_REAL[1];
+    const REAL b = NAME_REAL[0];
+    const REAL c = NAME_REAL[1];
+    const REAL forward = b * b;
+    const REAL subtracted = forward - c;
+    const REAL d = NAME_REAL[0];
+    const REAL e = NAME_REAL[1];
+    const REAL backward = d * d;
+    const REAL reversed = e - backward;
+    return (expression != ZERO) || (subtracted != ZERO) || (reversed != ZERO);
+}
+
+"""
+
+_PAIRED = """\
+static void NAME_float_lanes(const float *restrict a, const float *restrict c, float *restrict o)
+{
+    const float m0 = a[0] * a[0];
+    const float m1 = a[1] * a[1];
+    const float m2 = a[2] * a[2];
+    const float m3 = a[3] * a[3];
+    o[0] = m0 - c[0];
+    o[1] = m1 + c[1];
+    o[2] = m2 - c[2];
+    o[3] = m3 + c[3];
+}
+
+static void NAME_double_lanes(const double *restrict a, const double *restrict c, double *restrict o)
+{
+    const double m0 = a[0] * a[0];
+    const double m1 = a[1] * a[1];
+    o[0] = m0 - c[0];
+    o[1] = m1 + c[1];
+}
+
+/* Called through volatile pointers: inlined, the lanes would be scalars again and would not be paired. */
+static void (*volatile NAME_float_call)(const float *restrict a, const float *restrict c,
+                                        float *restrict o) = NAME_float_lanes;
+static void (*volatile NAME_double_call)(const double *restrict a, const double *restrict c,
+                                         double *restrict o) = NAME_double_lanes;
+
+static int NAME_paired(void)
+{
+    const float a = NAME_float[0];
+    const float c = NAME_float[1];
+    const double x = NAME_double[0];
+    const double z = NAME_double[1];
+    const float as[4] = {a, a, a, a};
+    const float cs[4] = {c, -c, c, -c};
+    const double xs[2] = {x, x};
+    const double zs[2] = {z, -z};
+    float o[4];
+    double w[2];
+    int narrow;
+    NAME_float_call(as, cs, o);
+    NAME_double_call(xs, zs, w);
+    narrow = (o[0] != 0.0F) || (o[1] != 0.0F) || (o[2] != 0.0F) || (o[3] != 0.0F);
+    return narrow || (w[0] != 0.0) || (w[1] != 0.0);
+}
+
+/* Tells whether this build fuses products with sums: bit 0 = alone, bit 1 = in neighbouring lanes. */
+int NAME(void)
+{
+    return ((NAME_float_plain() || NAME_double_plain()) ? 1 : 0) | (NAME_paired() ? 2 : 0);
+}
+"""
+
+_TYPES = (
+    ("float", "13", "1.0001220703125F", "1.000244140625F", "0.0F"),
+    ("double", "27", "1.000000007450580596923828125", "1.00000001490116119384765625", "0.0"),
+)
+
+
+def contraction_probe(name: str) -> str:
+    """Return C99 text that defines `int <name>(void)`: CONTRACTED and SLP_CONTRACTED as a bit mask, 0 = none.
+
+    Compile it in the same build, with the same flags, as the code it is to speak for.
+    """
+    text = "int NAME(void);\n\n"
+    for real, bits, factor, product, zero in _TYPES:
+        plain = _PLAIN.replace("REAL", real).replace("BITS", bits).replace("ZERO", zero)
+        text += plain.replace("FACTOR", factor).replace("PRODUCT", product)
+    return (text + _PAIRED).replace("NAME", name)
+
+
+@functools.cache
+def has_fma() -> bool:
+    """Tell whether this processor has a fused multiply-add, without which nothing can contract."""
+    machine = platform.machine().lower()
+    if machine in {"arm64", "aarch64", "ppc64le", "s390x", "riscv64"}:
+        return True
+    if sys.platform == "darwin":
+        return "FMA" in _sysctl("machdep.cpu.features").split()
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="ascii", errors="replace").splitlines()
+    except OSError:
+        return False
+    return any("fma" in line.split() for line in lines if line.startswith("flags"))
+
+
+def _sysctl(key: str) -> str:
+    try:
+        return subprocess.run(["sysctl", "-n", key], capture_output=True, text=True, check=False).stdout
+    except OSError:
+        return ""

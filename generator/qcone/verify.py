@@ -1,0 +1,234 @@
+"""Verify: do the readings agree? The C is read back statement by statement, then run against the model.
+
+Every word of the state and of every output after every update is compared, bit for bit, for each compiler,
+optimisation level and target. A difference names its first row and what went into it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qcone.backends.bittrue import Model, State, dtype_of, new_state
+from qcone.backends.counts import count
+from qcone.backends.expected import differences
+from qcone.bundle import Bundle, Evidence, VerifiedBundle
+from qcone.errors import CheckError
+from qcone.ir.statement import Role
+from qcone.targets.build import CompileError, build_shared
+from qcone.targets.compiler import LEVELS, Compiler, absent, compilers, first_compiler
+from qcone.targets.host import Library
+from qcone.targets.sanitize import run_sanitized
+from qcone.vectors import INIT, SET, Vectors, draw
+
+ACCEPT_ROWS = 2000
+SANITIZED_LEVEL = "-O1"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One line of `qcone verify`. `status` is ok, differs, contracted, reports, refused or absent."""
+
+    design: str
+    compiler: str
+    level: str | None = None
+    target: str = "host"
+    rows: int | None = None
+    differing_bits: int | None = None
+    first_difference: str | None = None
+    sanitizer_reports: int | None = None
+    contracted: bool | None = None
+    status: str = "ok"
+
+    @property
+    def failed(self) -> bool:
+        """Tell whether this line is a failure; an absent compiler is not one."""
+        return self.status not in ("ok", "absent")
+
+
+def accept(bundle: Bundle, cc: str | None = None) -> VerifiedBundle:
+    """Read the text back, compile it once at -O2 and compare 2,000 rows; return what may be written.
+
+    Raises CheckError when the text or a bit differs, MissingToolError when there is no compiler.
+    """
+    read_back(bundle)
+    compiler = first_compiler(cc)
+    vectors = draw(bundle, ACCEPT_ROWS)
+    outcome = _compare(bundle, compiler, "-O2", (), vectors, model_words(bundle, vectors))
+    if outcome.failed:
+        raise CheckError(f"{bundle.name}: not written: {outcome.status}: {outcome.first_difference}")
+    return VerifiedBundle(bundle, Evidence(vectors.rows, 0, outcome.compiler, "-O2"))
+
+
+def read_back(bundle: Bundle) -> None:
+    """Raise CheckError unless the C text says, statement by statement, what the routines say."""
+    found = differences(bundle.machine, bundle.facts.number, bundle.header, bundle.source)
+    if found:
+        raise CheckError(f"{bundle.name}: the C text is not the routine: {found[0]}")
+    for name, levels in bundle.facts.counts.items():
+        if count(bundle.machine.routine(name)) != levels["emitted"]:
+            raise CheckError(f"{bundle.name}: {name}: the counts do not reconcile")
+
+
+def verify(
+    bundle: Bundle, rows: int, cc: str | None = None, cflags: Sequence[str] = (), seed: int = 1
+) -> Iterator[Outcome]:
+    """Yield one outcome for each compiler and level, for the sanitizers, and for compilers that are absent."""
+    try:
+        read_back(bundle)
+    except CheckError as error:
+        yield Outcome(bundle.name, "none", first_difference=str(error), status="refused")
+        return
+    vectors = draw(bundle, rows, seed)
+    expected = model_words(bundle, vectors)
+    chosen = (first_compiler(cc),) if cc else compilers() or (first_compiler(),)
+    work = [(compiler, level) for compiler in chosen for level in LEVELS]
+    _build_ahead(bundle, work, cflags)
+    for compiler, level in work:
+        yield _compare(bundle, compiler, level, cflags, vectors, expected)
+    for compiler in chosen:
+        yield from _sanitized(bundle, compiler, cflags, vectors, expected)
+    if not cc:
+        for family in absent():
+            yield Outcome(bundle.name, family, status="absent")
+
+
+def _build_ahead(bundle: Bundle, work: Iterable[tuple[Compiler, str]], cflags: Sequence[str]) -> None:
+    """Compile everything at once, so that what follows finds it built."""
+    with ThreadPoolExecutor(max_workers=2) as pool:
+        for each in [pool.submit(build_shared, compiler, bundle.sources, level, cflags) for compiler, level in work]:
+            each.exception()
+
+
+def model_words(bundle: Bundle, vectors: Vectors) -> NDArray[Any]:
+    """Run the bit-true model; return (lanes, steps, words): the state, then every output, after each update."""
+    number = bundle.facts.number
+    model = Model(bundle.machine, number)
+    lanes, steps = vectors.restart.shape
+    state = new_state(bundle.machine, number, lanes)
+    words = np.empty((steps, bundle.driver.word_count, lanes), dtype_of(number))
+    given = bundle.machine.routine("update").having(Role.INPUT)[0].name
+    with np.errstate(all="ignore"):
+        for step in range(steps):
+            _restart(model, bundle, state, vectors, step)
+            model.run("update", state, {given: np.ascontiguousarray(vectors.inputs[:, step].T)})
+            reported = list(model.run("quaternion", state).values())
+            if bundle.driver.has_dcm:
+                reported += model.run("dcm", state).values()
+            np.concatenate([*state.values(), *reported], out=words[step], casting="unsafe")
+    return np.ascontiguousarray(words.transpose(2, 0, 1))
+
+
+def _restart(model: Model, bundle: Bundle, state: State, vectors: Vectors, step: int) -> None:
+    for kind, name in ((INIT, "init"), (SET, "set_quaternion")):
+        chosen = vectors.restart[:, step] == kind
+        if not chosen.any():
+            continue
+        part = {block: array[:, chosen] for block, array in state.items()}
+        model.run(name, part, {"q_nb": vectors.attitude[chosen, step].T})
+        if bundle.driver.has_start:
+            model.run("start", part, {"omega": vectors.before[chosen, step].T})
+        for block, array in part.items():
+            state[block][:, chosen] = array
+
+
+def c_words(bundle: Bundle, library: Library, vectors: Vectors) -> tuple[NDArray[Any], bool]:
+    """Run the compiled C on the vectors; return the same words, and whether the build contracts."""
+    words = np.zeros((*vectors.restart.shape, bundle.driver.word_count), vectors.inputs.dtype)
+    contracted = np.zeros(1, np.int32)
+    arrays = [vectors.restart, vectors.attitude, vectors.before, vectors.inputs, words, contracted]
+    library.run(f"{bundle.name}_run", vectors.rows, *arrays)
+    return words, bool(contracted[0])
+
+
+def declaration(bundle: Bundle) -> str:
+    """Return the C declaration of the batch loop."""
+    ctype = bundle.driver.ctype
+    return (
+        f"void {bundle.name}_run(int32_t rows, const int32_t *restart, const {ctype} *attitude, const {ctype} *before, "
+        f"const {ctype} *input, {ctype} *words, int32_t *contracted);"
+    )
+
+
+def open_library(bundle: Bundle, compiler: Compiler, level: str, cflags: Sequence[str] = ()) -> Library:
+    """Compile the design and its batch loop and open the result."""
+    return Library(build_shared(compiler, bundle.sources, level, cflags), declaration(bundle))
+
+
+def _compare(
+    bundle: Bundle, compiler: Compiler, level: str, cflags: Sequence[str], vectors: Vectors, expected: NDArray[Any]
+) -> Outcome:
+    words, contracted = c_words(bundle, open_library(bundle, compiler, level, cflags), vectors)
+    differing = differing_bits(words, expected)
+    first = describe_first(bundle, vectors, words, expected) if differing else None
+    if contracted:
+        first = f"the build fuses products and sums: compile with -ffp-contract=off{'; ' + first if first else ''}"
+    status = "contracted" if contracted else "differs" if differing else "ok"
+    return Outcome(
+        bundle.name, _named(compiler), level, "host", vectors.rows, differing, first, None, contracted, status
+    )
+
+
+def _named(compiler: Compiler) -> str:
+    return f"{compiler.name} {compiler.version}".strip()
+
+
+def differing_bits(words: NDArray[Any], expected: NDArray[Any]) -> int:
+    """Count the bits in which two arrays of the same float type differ."""
+    kind = np.uint32 if words.dtype == np.float32 else np.uint64
+    return int(np.bitwise_count(words.view(kind) ^ expected.view(kind)).sum())
+
+
+def word_names(bundle: Bundle) -> list[str]:
+    """Return what each word of a row is."""
+    names = [word.replace(f"({bundle.driver.ctype})", "").removeprefix("state.") for word in bundle.driver.state_words]
+    names += [f"quaternion {part}" for part in "wxyz"]
+    return names + [f"dcm {row}{column}" for row in "123" for column in "123"] * bundle.driver.has_dcm
+
+
+def describe_first(bundle: Bundle, vectors: Vectors, words: NDArray[Any], expected: NDArray[Any]) -> str:
+    """Say where C and model differ first, with the operands of that update."""
+    kind = np.uint32 if words.dtype == np.float32 else np.uint64
+    different = words.view(kind) != expected.view(kind)
+    lanes, steps = np.nonzero(different.any(axis=2))
+    at = int(np.argmin(steps))
+    lane, step = int(lanes[at]), int(steps[at])
+    word = int(np.argmax(different[lane, step]))
+    state = expected[lane, step - 1, : len(bundle.driver.state_words)] if step else []
+    operands = ", ".join(float(value).hex() for value in vectors.inputs[lane, step])
+    before = ", ".join(float(value).hex() for value in state)
+    return (
+        f"lane {lane}, step {step}, {word_names(bundle)[word]}: C {float(words[lane, step, word]).hex()}, model "
+        f"{float(expected[lane, step, word]).hex()}; input {operands}; state before {before or 'a restart'}"
+    )
+
+
+def _sanitized(
+    bundle: Bundle, compiler: Compiler, cflags: Sequence[str], vectors: Vectors, expected: NDArray[Any]
+) -> Iterator[Outcome]:
+    data = b"".join(
+        np.ascontiguousarray(each).tobytes()
+        for each in (np.int32([vectors.rows]), vectors.restart, vectors.attitude, vectors.before, vectors.inputs)
+    )
+    done = Outcome(bundle.name, _named(compiler), SANITIZED_LEVEL, "host", vectors.rows)
+    try:
+        report = run_sanitized(compiler, bundle.sources, SANITIZED_LEVEL, bundle.main, data, cflags)
+    except CompileError as error:
+        yield replace(done, first_difference=str(error), status="refused")
+        return
+    if not report.available:
+        return
+    words = np.frombuffer(report.output, expected.dtype)
+    differing = None
+    if words.size == expected.size:
+        differing = differing_bits(words.reshape(expected.shape), expected)
+    status = "reports" if report.reports else "differs" if differing != 0 else "ok"
+    yield replace(
+        done, compiler=f"{done.compiler} {'+'.join(report.sanitizers)}", differing_bits=differing,
+        first_difference=report.first or None, sanitizer_reports=report.reports, status=status,
+    )
