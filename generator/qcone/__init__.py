@@ -16,9 +16,9 @@ __version__ = "0.1.0"
 
 _AUTHOR = (
     "Algorithm", "F", "Source", "algorithm", "cross", "dot", "exp", "history", "loop", "matrix", "named", "number",
-    "quaternion", "rotation", "sqrt", "step", "table",
+    "quaternion", "rotation", "sqrt", "step", "subroutine", "table",
 )  # fmt: skip
-__all__ = ["__version__", *_AUTHOR]  # noqa: PLE0604
+__all__ = ["__version__", *_AUTHOR]
 
 
 def __getattr__(name: str) -> Any:

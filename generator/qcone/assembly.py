@@ -14,7 +14,7 @@ from qcone.algorithms import attitude, increments
 from qcone.design import Design
 from qcone.errors import DesignError, Problem, UsageError
 from qcone.ir import trace
-from qcone.ir.blocks import Quantity, Vector, of
+from qcone.ir.blocks import Quantity, Quaternion, Vector, of
 from qcone.ir.builder import Builder
 from qcone.ir.operations import RealOp
 from qcone.ir.specification import Algorithm
@@ -107,7 +107,9 @@ def _state(algorithm: Algorithm, design: Design) -> tuple[Block, tuple[Block, ..
     q = Block("q", Shape.QUATERNION, Role.STATE, unit="attitude quaternion q_nb: w, x, y, z; body to navigation")
     others = []
     if design.input == "rate":
-        others.append(Block("omega_last", Shape.VECTOR, Role.STATE, unit="newest rate sample so far, rad/s, sensor axes"))
+        others.append(
+            Block("omega_last", Shape.VECTOR, Role.STATE, unit="newest rate sample so far, rad/s, sensor axes")
+        )
     if algorithm.previous:
         unit = "earlier angle increments, newest first, rad, body axes"
         others.append(Block("previous", Shape.VECTOR, Role.STATE, algorithm.previous, unit))
@@ -151,7 +153,8 @@ def _update(algorithm: Algorithm, whole: Algorithm, design: Design, writing: Wri
     previous = next((block for block in others if block.name == "previous"), None)
     if previous is not None:
         before = tuple(
-            of(builder, Shape.VECTOR, _read(builder, previous, k).values, known.increment) for k in range(previous.count)
+            of(builder, Shape.VECTOR, _read(builder, previous, k).values, known.increment)
+            for k in range(previous.count)
         )
         builder.label(Step("increments of the updates before, newest first"))
         arguments["previous"] = before
@@ -178,7 +181,11 @@ def _read(builder: Builder, block: Block, entry: int) -> Quantity:
 
 
 def _in_body_axes(
-    builder: Builder, block: Block, entry: int, axes: tuple[tuple[int, int], ...], norm: Fraction | None = None
+    builder: Builder,
+    block: Block,
+    entry: int,
+    axes: tuple[tuple[int, int], ...],
+    norm: Fraction | None = None,
 ) -> Vector:
     """Read a vector given along the sensor's axes and return it along the body's: signs only, no arithmetic."""
     vector = _read(builder, block, entry)
@@ -205,8 +212,9 @@ def _write(builder: Builder, block: Block, entry: int, quantity: Quantity) -> No
 
 def _write_raw(builder: Builder, block: Block, source: Block, entry: int) -> None:
     """Keep the newest sample as the sensor gave it."""
-    for part in range(3):
-        builder.write(block, part, builder.read(source, 3 * entry + part))
+    values = [builder.read(source, 3 * entry + part) for part in range(3)]
+    for part, value in enumerate(values):
+        builder.write(block, part, value)
 
 
 def _init(state: tuple[Block, ...], writing: Writing) -> Routine:
@@ -232,8 +240,9 @@ def _set_quaternion(state: tuple[Block, ...], writing: Writing) -> Routine:
     return builder.routine("Set the attitude, normalised once, and clear the history.")
 
 
-def _as_quaternion(builder: Builder, block: Block):  # type: ignore[no-untyped-def]
+def _as_quaternion(builder: Builder, block: Block) -> Quaternion:
     quantity = _read(builder, block, 0)
+    assert isinstance(quantity, Quaternion)
     builder.label(Step(f"{block.name}, read once"))
     return quantity
 

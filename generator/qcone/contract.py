@@ -54,6 +54,7 @@ def banner(facts: Facts) -> tuple[str, ...]:
         "",
         *_item("algorithm", f"{algorithm.name}, form {design.form}, {_accumulation(design)}"),
         *_item("source", _source(algorithm)),
+        *(_item("equation", algorithm.summary) if algorithm.summary else []),
         *_item("number", f"{facts.number.name}, every operation rounded once"),
         *_item("flags", f"{FLAGS}; with gcc, where the target has vector FMA, also -fno-tree-vectorize"),
         "",
@@ -69,7 +70,7 @@ def banner(facts: Facts) -> tuple[str, ...]:
                 f"{routine + ' ' + level:<18}{counts.multiply:>8}{counts.power_of_two:>8}{counts.add:>5}"
                 f"{counts.subtract:>10}{counts.negate:>8}{counts.divide:>8}{counts.square_root:>6}{counts.trigonometric:>6}"
             )
-    return tuple(lines + ["", *textwrap.wrap(ANY_MACHINE, WIDTH)])
+    return (*lines, "", *textwrap.wrap(ANY_MACHINE, WIDTH))
 
 
 def _item(title: str, text: str) -> list[str]:
@@ -84,7 +85,11 @@ def _accumulation(design: Design) -> str:
         "delta": "q' = q + q (x) (r - 1)",
         "compensated": "q' = q + q (x) (r - 1), the rounding carried to the next update (Kahan)",
     }
-    folded = {"every": "renormalised on every update", "separate": "renormalised by a call", "never": "not renormalised"}
+    folded = {
+        "every": "renormalised on every update",
+        "separate": "renormalised by a call",
+        "never": "not renormalised",
+    }
     return f"{kinds[design.number.accumulate]}, {folded[design.renormalise]}"
 
 

@@ -22,14 +22,13 @@ from qcone.backends.counts import Counts, count
 from qcone.bundle import Bundle
 from qcone.contract import Facts
 from qcone.design import Design
-from qcone.errors import UsageError
+from qcone.errors import CheckError, UsageError
 from qcone.formats.floating import FLOATING, Floating
 from qcone.ir.check import check_program
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.specification import Algorithm
-from qcone.ir.statement import Program, Role, Routine, Shape
-from qcone.ir.writing import AS_WRITTEN
+from qcone.ir.statement import Loop, Program, Role, Routine, Shape, walk
 from qcone.passes.compensate import compensate
 from qcone.passes.exponential import Exponential, choose
 from qcone.passes.fold import fold
@@ -54,7 +53,12 @@ def build(design: Design) -> Bundle:
     ready = prepare(written, design)
     machine = lower(ready, number)
     facts = Facts(
-        design, algorithm, number, declaration(design, algorithm), exponential, levels(algorithm, design, ready, machine)
+        design,
+        algorithm,
+        number,
+        declaration(design, algorithm),
+        exponential,
+        levels(written, ready, machine),
     )
     _within_budget(facts)
     return _print(facts, written, machine)
@@ -64,12 +68,24 @@ def number_of(design: Design) -> Floating:
     """Return the design's number format. Raises UsageError for the formats that are not built yet."""
     number = FLOATING.get(design.number.format)
     if number is None:
-        what = f"number.format = \"{design.number.format}\" is not available in this version"
+        what = f'number.format = "{design.number.format}" is not available in this version'
         raise problem(design, "QC201", what, "", f"use {' or '.join(FLOATING)}")
     if design.input == "counts":
-        raise problem(design, "QC202", 'input = "counts" is not available in this version', "", 'use input = "increment" or "rate"')
+        raise problem(
+            design,
+            "QC202",
+            'input = "counts" is not available in this version',
+            "",
+            'use input = "increment" or "rate"',
+        )
     if "euler" in design.outputs:
-        raise problem(design, "QC203", 'the output "euler" is not available in this version', "", 'use "quaternion" and "dcm"')
+        raise problem(
+            design,
+            "QC203",
+            'the output "euler" is not available in this version',
+            "",
+            'use "quaternion" and "dcm"',
+        )
     return number
 
 
@@ -107,9 +123,8 @@ def lower(program: Program, number: Floating) -> Program:
     return check_program(replace(machine, routines=named), MachineOp)
 
 
-def levels(algorithm: Algorithm, design: Design, ready: Program, machine: Program) -> dict[str, dict[str, Counts]]:
+def levels(written: Program, ready: Program, machine: Program) -> dict[str, dict[str, Counts]]:
     """Count the routines that firmware runs every update, at three levels."""
-    paper = assemble(algorithm, design, AS_WRITTEN)
     found: dict[str, dict[str, Counts]] = {}
     for routine in machine.routines:
         if routine.name in ("init", "set_quaternion", "start", "quaternion", "renormalise"):
@@ -117,7 +132,7 @@ def levels(algorithm: Algorithm, design: Design, ready: Program, machine: Progra
         if routine.name == "update" and machine.has("steady"):
             continue
         found[routine.name] = {
-            "as-written": count(paper.routine(routine.name)).as_papers_count(),
+            "as-written": count(written.routine(routine.name)).as_papers_count(),
             "shared": count(ready.routine(routine.name)),
             "emitted": count(routine),
         }
@@ -126,8 +141,6 @@ def levels(algorithm: Algorithm, design: Design, ready: Program, machine: Progra
 
 def _within_budget(facts: Facts) -> None:
     """Raise a CheckError when an update costs more than the design's budget allows."""
-    from qcone.errors import CheckError
-
     spent = facts.counts.get("steady") or facts.counts["update"]
     for kind, allowed in facts.design.budget.items():
         used = getattr(spent["emitted"], kind)
@@ -142,7 +155,9 @@ def _print(facts: Facts, written: Program, machine: Program) -> Bundle:
     number, name = facts.number, machine.name
     documented = tuple(
         pages.Documented(
-            each.signature, each.body, each.internal,
+            each.signature,
+            each.body,
+            each.internal,
             () if each.internal else contract.of_routine(machine.routine(each.routine), facts),
         )
         for each in functions(machine, number)
@@ -163,13 +178,18 @@ def _print(facts: Facts, written: Program, machine: Program) -> Bundle:
     driver = _driver(machine, number)
     header, source = pages.header(page), pages.source(page)
     return Bundle(
-        facts, written, machine, header, source, pages.driver(driver, page), pages.vectors_main(driver), driver
+        facts,
+        written,
+        machine,
+        header,
+        source,
+        pages.driver(driver, page),
+        pages.vectors_main(driver),
+        driver,
     )
 
 
 def _has_loops(machine: Program) -> bool:
-    from qcone.ir.statement import Loop, walk
-
     return any(isinstance(each, Loop) for routine in machine.routines for each in walk(routine.body))
 
 
@@ -182,8 +202,13 @@ def _driver(machine: Program, number: Floating) -> pages.Driver:
     given = machine.routine("update").having(Role.INPUT)[0]
     outputs = 4 + (9 if machine.has("dcm") else 0)
     return pages.Driver(
-        name=machine.name, ctype=number.ctype, input_size=given.size, has_start=machine.has("start"),
-        has_dcm=machine.has("dcm"), state_words=tuple(words), word_count=len(words) + outputs,
+        name=machine.name,
+        ctype=number.ctype,
+        input_size=given.size,
+        has_start=machine.has("start"),
+        has_dcm=machine.has("dcm"),
+        state_words=tuple(words),
+        word_count=len(words) + outputs,
         probe=contraction_probe(f"{machine.name}_contracts"),
     )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import sys
 from pathlib import Path
+from types import ModuleType
 
 from qcone.algorithms import CATALOGUE, family
 from qcone.design import AlgorithmEntry, Design, Parameter
@@ -16,7 +17,9 @@ def entries() -> tuple[AlgorithmEntry, ...]:
     """Return the catalogue as the table that design files are checked against."""
     return tuple(
         AlgorithmEntry(
-            each.id, tuple(Parameter(c.name, c.choices, c.default, c.help) for c in each.parameters), each.conflicts
+            each.id,
+            tuple(Parameter(c.name, c.choices, c.default, c.help) for c in each.parameters),
+            each.conflicts,
         )
         for each in CATALOGUE
     )
@@ -35,12 +38,14 @@ def algorithm_of(design: Design) -> Algorithm:
         raise UsageError(f"{path}: there is no such file; 'algorithm' takes a path from the design file's folder")
     found = vars(_load(path)).get(name)
     if not isinstance(found, Algorithm):
-        what = "is not an algorithm: decorate the function with @algorithm" if found is not None else "is not in the file"
+        what = (
+            "is not an algorithm: decorate the function with @algorithm" if found is not None else "is not in the file"
+        )
         raise UsageError(f"{path.name}: '{name}' {what}")
     return found
 
 
-def _load(path: Path):  # type: ignore[no-untyped-def]
+def _load(path: Path) -> ModuleType:
     spec = importlib.util.spec_from_file_location(f"qcone_user_{path.stem}", path)
     if spec is None or spec.loader is None:
         raise UsageError(f"{path.name}: not a Python file")

@@ -92,7 +92,7 @@ def _samples(generator: np.random.Generator, shape: tuple[int, ...], radius: flo
     put(0.90, 0.93, direction * radius * 2.0**-40)
     result = vectors.astype(dtype)
     tiny = sign * float(info.tiny)
-    chosen = (0.93 <= kind) & (kind < 0.96)
+    chosen = (kind >= 0.93) & (kind < 0.96)
     result[chosen] = tiny[chosen].astype(dtype)
     chosen = kind >= 0.96
     counts = generator.integers(1, 1 << 20, (*shape, 3))

@@ -161,7 +161,12 @@ def open_library(bundle: Bundle, compiler: Compiler, level: str, cflags: Sequenc
 
 
 def _compare(
-    bundle: Bundle, compiler: Compiler, level: str, cflags: Sequence[str], vectors: Vectors, expected: NDArray[Any]
+    bundle: Bundle,
+    compiler: Compiler,
+    level: str,
+    cflags: Sequence[str],
+    vectors: Vectors,
+    expected: NDArray[Any],
 ) -> Outcome:
     words, contracted = c_words(bundle, open_library(bundle, compiler, level, cflags), vectors)
     differing = differing_bits(words, expected)
@@ -199,7 +204,7 @@ def describe_first(bundle: Bundle, vectors: Vectors, words: NDArray[Any], expect
     at = int(np.argmin(steps))
     lane, step = int(lanes[at]), int(steps[at])
     word = int(np.argmax(different[lane, step]))
-    state = expected[lane, step - 1, : len(bundle.driver.state_words)] if step else []
+    state: Sequence[float] = list(expected[lane, step - 1, : len(bundle.driver.state_words)]) if step else []
     operands = ", ".join(float(value).hex() for value in vectors.inputs[lane, step])
     before = ", ".join(float(value).hex() for value in state)
     return (
@@ -213,7 +218,13 @@ def _sanitized(
 ) -> Iterator[Outcome]:
     data = b"".join(
         np.ascontiguousarray(each).tobytes()
-        for each in (np.int32([vectors.rows]), vectors.restart, vectors.attitude, vectors.before, vectors.inputs)
+        for each in (
+            np.array([vectors.rows], np.int32),
+            vectors.restart,
+            vectors.attitude,
+            vectors.before,
+            vectors.inputs,
+        )
     )
     done = Outcome(bundle.name, _named(compiler), SANITIZED_LEVEL, "host", vectors.rows)
     try:
@@ -229,6 +240,10 @@ def _sanitized(
         differing = differing_bits(words.reshape(expected.shape), expected)
     status = "reports" if report.reports else "differs" if differing != 0 else "ok"
     yield replace(
-        done, compiler=f"{done.compiler} {'+'.join(report.sanitizers)}", differing_bits=differing,
-        first_difference=report.first or None, sanitizer_reports=report.reports, status=status,
+        done,
+        compiler=f"{done.compiler} {'+'.join(report.sanitizers)}",
+        differing_bits=differing,
+        first_difference=report.first or None,
+        sanitizer_reports=report.reports,
+        status=status,
     )

@@ -30,9 +30,7 @@ ROTATION_VECTOR = AlgorithmEntry(
     "rotation-vector",
     (
         Parameter("subsamples", (1, 2, 3, 4, 5, 6), 1, "sub-samples an update"),
-        Parameter(
-            "coefficients", ("taylor", "coning", "expanded", "compressed"), None, "coning coefficients"
-        ),
+        Parameter("coefficients", ("taylor", "coning", "expanded", "compressed"), None, "coning coefficients"),
         Parameter("previous", (0, 1, 2, 3, 4, 5), 0, "earlier increments used"),
     ),
     _rotation_vector_conflicts,

@@ -101,9 +101,7 @@ def test_any_damage_to_a_file(file: Path, start: int, length: int, instead: byte
 @given(
     st.dictionaries(
         st.sampled_from(["", "number", "format", "imu", "budget", "subsamples", "x-y", *PATHS]),
-        st.one_of(
-            VALUES, st.none(), st.floats(), st.booleans(), st.integers(), st.lists(st.integers() | st.text())
-        ),
+        st.one_of(VALUES, st.none(), st.floats(), st.booleans(), st.integers(), st.lists(st.integers() | st.text())),
         max_size=8,
     )
 )

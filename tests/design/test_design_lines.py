@@ -18,7 +18,7 @@ top = """
 x = 1
 """
 path = 'C:\\'
-tail = """quotes "" inside and at the end"""""
+tail = ["""quotes "" inside and one at the end"""", "[", 1]
 [a]   # comment
 "quoted.key" = 1
 'literal key' = 2

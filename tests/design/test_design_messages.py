@@ -1,7 +1,6 @@
 """Every mistake in a design file has one message of its own, on its line; all of them come at once."""
 
 # Messages stand whole on their lines, so that a search finds them.
-# ruff: noqa: E501
 
 from __future__ import annotations
 
@@ -129,8 +128,7 @@ ONE_MISTAKE = [
     ),
     (
         _end('axes = "x,y,z"\n'),
-        "10: error QC102: unknown key `number.axes`, it belongs elsewhere: write"
-        ' `axes = "y,-x,z"` in [design.att]',
+        '10: error QC102: unknown key `number.axes`, it belongs elsewhere: write `axes = "y,-x,z"` in [design.att]',
     ),
     (
         _top("order = 2"),
@@ -409,14 +407,8 @@ ONE_MISTAKE = [
         "3: error QC107: `previous` does not go with `my.py:f`, the function's own decorator says it, leave it out",
     ),
     # QC108: axes
-    *(
-        (_top(f'axes = "{axes}"'), f'3: error QC108: `axes = "{axes}"` {AXES}')
-        for axes in ("", "x,y", "x,-x,z")
-    ),
-    *(
-        (_top(f'axes = "{axes}"'), f'3: error QC108: `axes = "{axes}"` {AXES}')
-        for axes in ("x,y,w", "--x,y,z")
-    ),
+    *((_top(f'axes = "{axes}"'), f'3: error QC108: `axes = "{axes}"` {AXES}') for axes in ("", "x,y", "x,-x,z")),
+    *((_top(f'axes = "{axes}"'), f'3: error QC108: `axes = "{axes}"` {AXES}') for axes in ("x,y,w", "--x,y,z")),
     # QC109: algorithms
     (
         GOOD.replace("rotation-vector", "zzz"),

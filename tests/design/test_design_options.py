@@ -1,7 +1,6 @@
 """Command line options make the same design as a file does, and the same mistakes, named as options."""
 
 # Messages stand whole on their lines, so that a search finds them.
-# ruff: noqa: E501
 
 from __future__ import annotations
 

@@ -66,9 +66,7 @@ def accepts(schema: dict[str, Any], value: object) -> bool:
     if isinstance(value, str):
         return "pattern" not in schema or re.search(schema["pattern"], value) is not None
     if "minimum" in schema and isinstance(value, int | float):
-        return value > schema["minimum"] or (
-            value == schema["minimum"] and not schema.get("exclusiveMinimum")
-        )
+        return value > schema["minimum"] or (value == schema["minimum"] and not schema.get("exclusiveMinimum"))
     return True
 
 
@@ -77,9 +75,7 @@ def _accepts_object(schema: dict[str, Any], value: dict[str, Any]) -> bool:
         return False
     for name, each in value.items():
         schemas = [schema["properties"][name]] if name in schema.get("properties", {}) else []
-        schemas += [
-            one for pattern, one in schema.get("patternProperties", {}).items() if re.search(pattern, name)
-        ]
+        schemas += [one for pattern, one in schema.get("patternProperties", {}).items() if re.search(pattern, name)]
         if not schemas and schema.get("additionalProperties") is False:
             return False
         if not all(accepts(one, each) for one in schemas):

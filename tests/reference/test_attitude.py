@@ -66,8 +66,7 @@ def test_previous_weights_null_the_coning_error(p: int) -> None:
     assert tuple(float(weight) for weight in c) == weights.PREVIOUS[p]
     sine = sine_series(terms)
     versine = [Fraction(0)] * 2 + [
-        Fraction((-1) ** (k // 2 + 1), math.factorial(k)) if k % 2 == 0 else Fraction(0)
-        for k in range(2, terms)
+        Fraction((-1) ** (k // 2 + 1), math.factorial(k)) if k % 2 == 0 else Fraction(0) for k in range(2, terms)
     ]
     lagged = [sum(weight * k**m for k, weight in enumerate(c, 1)) * sine[m] for m in range(terms)]
     left = [((1 if m == 1 else 0) - sine[m]) / 2 for m in range(terms)]
@@ -198,9 +197,7 @@ def test_picard_run_multiplies_the_picard_updates() -> None:
     q = start
     for row in dtheta:
         q = attitude.update(q, attitude.picard(row, 2))
-    np.testing.assert_allclose(
-        attitude.run(start, dtheta[:, np.newaxis], order=2)[-1], q, atol=4 * EPS, rtol=0
-    )
+    np.testing.assert_allclose(attitude.run(start, dtheta[:, np.newaxis], order=2)[-1], q, atol=4 * EPS, rtol=0)
 
 
 ONE, THREE = np.zeros((4, 1, 3)), np.zeros((4, 3, 3))
@@ -208,25 +205,19 @@ START = np.array([1.0, 0.0, 0.0, 0.0])
 
 REFUSED = {
     "subsamples is 7, the tables hold 1 to 6": lambda: attitude.rotation_vector(np.zeros((7, 3))),
-    "coefficients is 'best', choose one of taylor, coning, expanded, compressed": lambda: (
-        attitude.rotation_vector(THREE, "best")
+    "coefficients is 'best', choose one of taylor, coning, expanded, compressed": lambda: attitude.rotation_vector(
+        THREE, "best"
     ),
     "previous holds 6 increments, the tables hold 1 to 5": lambda: attitude.rotation_vector_previous(
         np.zeros(3), np.zeros((6, 3))
     ),
     "order is 5, choose 1, 2, 3, 4 or 'closed'": lambda: attitude.picard(np.zeros(3), 5),
-    "previous and order need one sub-sample an update, dtheta has 3": lambda: attitude.run(
-        START, THREE, previous=1
-    ),
-    "previous and order are different algorithms, choose one": lambda: attitude.run(
-        START, ONE, previous=1, order=1
-    ),
+    "previous and order need one sub-sample an update, dtheta has 3": lambda: attitude.run(START, THREE, previous=1),
+    "previous and order are different algorithms, choose one": lambda: attitude.run(START, ONE, previous=1, order=1),
     "history has shape (1, 3), previous = 2 needs (2, 3)": lambda: attitude.run(
         START, ONE, previous=2, history=np.zeros((1, 3))
     ),
-    "omega holds 8 rates, the tables hold 2 to 7": lambda: attitude.increments_from_rates(
-        np.zeros((8, 3)), 0.01
-    ),
+    "omega holds 8 rates, the tables hold 2 to 7": lambda: attitude.increments_from_rates(np.zeros((8, 3)), 0.01),
     "omega holds 3 rates, cao (13) takes 4": lambda: attitude.increments_cao_13(np.zeros((3, 3)), 0.01),
 }
 

@@ -77,9 +77,7 @@ def test_chain_is_the_exact_product_of_rotations() -> None:
         step += (w * c - x * d + y * a + z * b, w * d + x * c - y * b + z * a)
         # 200 bits are exact for the comparison and keep the fractions short.
         exact = [Fraction(round((p + q) * 2**200), 2**200) for p, q in zip(exact, step, strict=True)]
-    np.testing.assert_allclose(
-        kinematics.chain(start, change)[-1], [float(value) for value in exact], atol=EPS, rtol=0
-    )
+    np.testing.assert_allclose(kinematics.chain(start, change)[-1], [float(value) for value in exact], atol=EPS, rtol=0)
 
 
 def test_a_long_chain_does_not_walk_away() -> None:

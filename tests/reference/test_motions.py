@@ -28,9 +28,7 @@ def test_increments_and_attitudes_meet_the_exact_cases(case, rounded, name: str)
     peak_rate = np.linalg.norm(motion.rate(times), axis=-1).max()
     # The instants themselves are rounded: both ends of an interval by at most half a unit.
     late = peak_rate * np.spacing(times[-1])
-    np.testing.assert_allclose(
-        motion.increments(times), theta, atol=late + np.spacing(np.abs(theta).max()), rtol=0
-    )
+    np.testing.assert_allclose(motion.increments(times), theta, atol=late + np.spacing(np.abs(theta).max()), rtol=0)
     attitude = motion.attitude(times)
     if name.startswith("large"):  # the cases there start from the identity
         attitude = quaternion.product(quaternion.conjugate(attitude[0]), attitude)

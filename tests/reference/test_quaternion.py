@@ -77,9 +77,7 @@ def test_from_matrix_inverts_to_matrix_everywhere() -> None:
 @pytest.mark.parametrize("size", [1e-18, 1e-16, 1e-12, 1e-6, 0.1, 3.0])
 @pytest.mark.parametrize("factor", [1.0, -1.0])
 def test_error_angle_resolves_the_numbers_it_is_given(size: float, factor: float) -> None:
-    true = quaternion.from_rotation_vector(
-        np.array([1e-9, 2e-9, -3e-9]) if size < 1e-15 else np.array([1.0, -2, 0.5])
-    )
+    true = quaternion.from_rotation_vector(np.array([1e-9, 2e-9, -3e-9]) if size < 1e-15 else np.array([1.0, -2, 0.5]))
     estimate = quaternion.product(true, quaternion.from_rotation_vector(size * np.array([0.36, -0.48, 0.8])))
     with mpmath.workdps(60):
         a, b = [mpmath.mpf(float(x)) for x in true], [mpmath.mpf(float(x)) for x in estimate]
@@ -108,6 +106,4 @@ def test_navigation_error_is_in_navigation_axes() -> None:
     error = np.outer([0.0, 1e-12, 1e-6, 0.1, 2.0], [0.36, -0.48, 0.8])
     estimate = quaternion.product(quaternion.from_rotation_vector(error), true)
     for sign in (1, -1):
-        np.testing.assert_allclose(
-            quaternion.navigation_error(sign * estimate, true), error, atol=8 * EPS, rtol=0
-        )
+        np.testing.assert_allclose(quaternion.navigation_error(sign * estimate, true), error, atol=8 * EPS, rtol=0)

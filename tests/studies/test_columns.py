@@ -147,9 +147,7 @@ def test_a_mapped_time_column_must_be_there_even_when_overruled(csv_file: Path) 
 
 def test_a_column_standing_twice(csv_file: Path) -> None:
     text = "t_s,dtheta_x_rad,dtheta_y_rad,dtheta_z_rad,dtheta_x_rad\n1,2,3,4,5\n"
-    assert refusal(csv_file, text) == (
-        "walk.csv:1: column 'dtheta_x_rad' stands there twice, rename one of the two"
-    )
+    assert refusal(csv_file, text) == ("walk.csv:1: column 'dtheta_x_rad' stands there twice, rename one of the two")
 
 
 FORM = "write 't=NAME;x=NAME;y=NAME;z=NAME;unit=UNIT' (t and unit may be left out)"

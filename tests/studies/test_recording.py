@@ -18,9 +18,7 @@ from qcone.studies.recording import Recording, max_rate_dps, read_recording, spl
 
 INCREMENTS = "t_s,dtheta_x_rad,dtheta_y_rad,dtheta_z_rad\n"
 RATES = "t_s,gyr_x_rad_s,gyr_y_rad_s,gyr_z_rad_s\n"
-FUSION = (
-    "t=Time (s);x=Gyroscope X (deg/s);y=Gyroscope Y (deg/s);z=Gyroscope Z (deg/s);unit=deg/s"  # own names
-)
+FUSION = "t=Time (s);x=Gyroscope X (deg/s);y=Gyroscope Y (deg/s);z=Gyroscope Z (deg/s);unit=deg/s"  # own names
 GOOD = INCREMENTS + "0.01,1e-3,2e-3,3e-3\n0.02,4e-3,5e-3,6e-3\n0.03,7e-3,8e-3,9e-3\n"
 
 
@@ -128,9 +126,7 @@ def test_imucal_has_no_time_column(recordings: Path) -> None:
         (Fraction(100_000), 3, Fraction(1, 100_000)),
     ],
 )
-def test_the_rate_is_the_fraction_behind_the_times(
-    csv_file: Path, step: Fraction, decimals: int, hz: Fraction
-) -> None:
+def test_the_rate_is_the_fraction_behind_the_times(csv_file: Path, step: Fraction, decimals: int, hz: Fraction) -> None:
     rows = "".join(f"{float(k * step - 3):.{decimals}f},1,2,3\n" for k in range(50))
     csv_file.write_text(RATES + rows)
     assert read_recording(csv_file, "rate").sample_hz == hz
@@ -188,17 +184,13 @@ def test_time_that_does_not_increase(csv_file: Path, second: str, options: dict[
 
 def test_one_row_needs_a_rate(csv_file: Path) -> None:
     row = INCREMENTS + "0.01,1,2,3\n"
-    assert refusal(csv_file, row) == (
-        "walk.csv: one row has no step to take the rate from, give --sample-hz HZ"
-    )
+    assert refusal(csv_file, row) == ("walk.csv: one row has no step to take the rate from, give --sample-hz HZ")
     assert read_recording(csv_file, "increment", sample_hz=100).values.tolist() == [[1, 2, 3]]
 
 
 def test_steps_that_cannot_be_seconds(csv_file: Path) -> None:
     text = RATES + "".join(f"{k}e-12,1,2,3\n" for k in range(5))
-    assert refusal(csv_file, text, "rate") == (
-        "walk.csv: steps of 1e-12 s are not usable, are the times in seconds?"
-    )
+    assert refusal(csv_file, text, "rate") == ("walk.csv: steps of 1e-12 s are not usable, are the times in seconds?")
 
 
 @pytest.mark.parametrize("hz", [0, -1, math.nan, math.inf, 1e-7, 2e9])
@@ -210,9 +202,7 @@ def test_a_bad_rate_option(csv_file: Path, hz: float, name: str, option: str) ->
 
 
 def test_an_unknown_kind(csv_file: Path) -> None:
-    assert refusal(csv_file, GOOD, "angles") == (
-        "--input: 'angles' is not known, give one of increment, rate"
-    )
+    assert refusal(csv_file, GOOD, "angles") == ("--input: 'angles' is not known, give one of increment, rate")
 
 
 # --- cutting into updates -----------------------------------------------------------------------------------

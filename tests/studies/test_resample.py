@@ -114,9 +114,7 @@ def test_a_gap_is_bridged_by_a_straight_line_and_no_cubic_reaches_over_it() -> N
     inside = (at > times[4]) & (at < times[5])
     assert inside.sum() > 100
     for axis in range(3):
-        np.testing.assert_allclose(
-            got[inside, axis], np.interp(at[inside], times, values[:, axis]), atol=1e-12
-        )
+        np.testing.assert_allclose(got[inside, axis], np.interp(at[inside], times, values[:, axis]), atol=1e-12)
     moved = values.copy()
     moved[5:] += 100.0
     _, other, _ = resample("gap", "rate", times, moved, Fraction(1000))
@@ -205,9 +203,7 @@ def test_two_and_three_samples_take_a_line_and_a_parabola() -> None:
     np.testing.assert_allclose(got[:, 2], times**2, atol=1e-15)
 
 
-@pytest.mark.parametrize(
-    "hz", [Fraction(100), Fraction(2000, 7), Fraction(1, 3), Fraction("99.123456789012")]
-)
+@pytest.mark.parametrize("hz", [Fraction(100), Fraction(2000, 7), Fraction(1, 3), Fraction("99.123456789012")])
 def test_the_grid_ends_where_the_recording_does(hz: Fraction) -> None:
     times = np.array([float(k / hz) for k in range(1000)])
     at, _, _ = resample("end", "rate", times, np.zeros((1000, 3)), hz)

@@ -55,8 +55,7 @@ def fake_compilers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[
     def add(name: str, version: str, machine: str = "x86_64-linux-gnu", status: int = 0) -> Path:
         program = folder / name
         program.write_text(
-            f'#!/bin/sh\nif [ "$1" = -dumpmachine ]; then echo "{machine}"; else echo "{version}"; fi\n'
-            f"exit {status}\n"
+            f'#!/bin/sh\nif [ "$1" = -dumpmachine ]; then echo "{machine}"; else echo "{version}"; fi\nexit {status}\n'
         )
         program.chmod(0o755)
         return program

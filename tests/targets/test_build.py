@@ -50,8 +50,7 @@ def test_files_in_folders_and_several_sources(each_compiler: Compiler) -> None:
     files = {
         "src/twice.h": TWICE["twice.h"],
         "src/twice.c": TWICE["twice.c"],
-        "test/four.c": '#include "src/twice.h"\nint four(int a);\n'
-        "int four(int a) { return twice(twice(a)); }\n",
+        "test/four.c": '#include "src/twice.h"\nint four(int a);\nint four(int a) { return twice(twice(a)); }\n',
     }
     library = Library(build_shared(each_compiler, files, "-O2"), "int four(int a);")
     assert library.run("four", 3) == 12

@@ -71,9 +71,7 @@ def test_structures_are_whole_bytes_of_an_array(library: Library) -> None:
     whole = states.view(np.dtype([("q", np.float32, 4), ("count", np.int32)]))
     np.testing.assert_array_equal(whole["count"], [1, 1, 1])
     np.testing.assert_array_equal(whole["q"], [[0, 0, 0, 0.5]] * 3)
-    with pytest.raises(
-        TypeError, match="argument 1 of count_up must hold whole part_state of 20 bytes, got 19"
-    ):
+    with pytest.raises(TypeError, match="argument 1 of count_up must hold whole part_state of 20 bytes, got 19"):
         library.run("count_up", states[:19].copy(), 1)
 
 
@@ -90,9 +88,7 @@ def test_missing_function_names_the_function(library: Library) -> None:
 
 def test_wrong_element_type_is_refused(library: Library) -> None:
     wide = np.zeros(3)
-    with pytest.raises(
-        TypeError, match=r"argument 1 of negate_float is declared float \*, got an array of float64"
-    ):
+    with pytest.raises(TypeError, match=r"argument 1 of negate_float is declared float \*, got an array of float64"):
         library.run("negate_float", wide, wide, 3)
     swapped = np.zeros(3, ">f8")
     with pytest.raises(TypeError, match="got an array of >f8"):
@@ -124,8 +120,6 @@ def test_floating_result_is_refused_not_truncated(library: Library) -> None:
 def test_object_for_no_machine_is_a_clear_error(tmp_path: Path) -> None:
     path = tmp_path / "product.so"
     path.write_text("not a library")
-    with pytest.raises(
-        MissingToolError, match=r"^product\.so: this machine cannot load .* with --cc$"
-    ) as caught:
+    with pytest.raises(MissingToolError, match=r"^product\.so: this machine cannot load .* with --cc$") as caught:
         Library(path, "int add(int a, int b);")
     assert caught.value.exit_code == 3

@@ -14,9 +14,7 @@ from qcone.targets.probe import CONTRACTED, SLP_CONTRACTED, contraction_probe, h
 X86 = platform.machine().lower() in {"x86_64", "amd64"}
 
 
-def _probe(
-    compiler: Compiler, level: str, extra: Sequence[str] = (), without: tuple[str, str] = ("", "")
-) -> int:
+def _probe(compiler: Compiler, level: str, extra: Sequence[str] = (), without: tuple[str, str] = ("", "")) -> int:
     """Run the probe; `without` replaces one of its lines, which must be there."""
     text = contraction_probe("here_contracts")
     assert without[0] in text

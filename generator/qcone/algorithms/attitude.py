@@ -9,9 +9,15 @@ def dcm_squares(q: Quaternion) -> Matrix:
     """Write C_nb by squares, cao (5): 12 squares, 6 products doubled, nothing shared: 30 multiplications."""
     a, b, c, d = q
     rows = [
-        a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c),
-        2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b),
-        2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d,
+        a * a + b * b - c * c - d * d,
+        2 * (b * c - a * d),
+        2 * (b * d + a * c),
+        2 * (b * c + a * d),
+        a * a - b * b + c * c - d * d,
+        2 * (c * d - a * b),
+        2 * (b * d - a * c),
+        2 * (c * d + a * b),
+        a * a - b * b - c * c + d * d,
     ]
     return step("c_nb = C_nb(q)", "cao (5)", matrix(rows))
 
@@ -22,11 +28,21 @@ def dcm(q: Quaternion) -> Matrix:
     x2, y2, z2 = named("x2", x + x), named("y2", y + y), named("z2", z + z)
     wx, wy, wz = named("wx", w * x2), named("wy", w * y2), named("wz", w * z2)
     xx, xy, xz = named("xx", x * x2), named("xy", x * y2), named("xz", x * z2)
-    yy, yz, zz = named("yy", y * y2), named("yz", y * z2), step("zz = 2 q_z q_z, and so on", "cao (15)", z * z2)
+    yy, yz, zz = (
+        named("yy", y * y2),
+        named("yz", y * z2),
+        step("zz = 2 q_z q_z; wx, wy, ... likewise", "cao (15)", z * z2),
+    )
     rows = [
-        1 - (yy + zz), xy - wz, xz + wy,
-        xy + wz, 1 - (xx + zz), yz - wx,
-        xz - wy, yz + wx, 1 - (xx + yy),
+        1 - (yy + zz),
+        xy - wz,
+        xz + wy,
+        xy + wz,
+        1 - (xx + zz),
+        yz - wx,
+        xz - wy,
+        yz + wx,
+        1 - (xx + yy),
     ]
     return step("c_nb = C_nb(q)", "cao (15)", matrix(rows))
 

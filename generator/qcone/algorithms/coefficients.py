@@ -43,6 +43,7 @@ def taylor(subsamples: int) -> Pairs:
     """Return the weights of the polynomial fit: those of 1/2 int alpha x omega over the update."""
     fit, n = rate_fit(subsamples), subsamples
     moments = [[F(1, (j + 1) * (j + k + 2)) for k in range(n)] for j in range(n)]
+
     def weight(a: int, b: int) -> F:
         products = (moments[j][k] * fit[j][a] * fit[k][b] for j in range(n) for k in range(n))
         return sum(products, F(0)) / 2
@@ -73,7 +74,7 @@ def _missing(n: int) -> list[F]:
 
 
 def _series_of_drift(d: int) -> list[F]:
-    """Return the odd Taylor coefficients, from x^3 on, of 2 (1 - cos x) sin(d x) = 2 sin dx - sin (d+1)x - sin (d-1)x."""
+    """Return the odd Taylor coefficients, from x^3 on, of 2 (1 - cos x) sin(d x): products of sines as sums."""
     return [2 * _sine(d, p) - _sine(d + 1, p) - _sine(d - 1, p) for p in range(3, 3 + 2 * ORDERS, 2)]
 
 
@@ -138,6 +139,7 @@ def _mirrors(pair: tuple[int, int], n: int) -> int:
 
 def _moment(pair: tuple[int, int], a: int, b: int, n: int) -> F:
     """Return what theta_i x theta_j contributes to w_a x w_b."""
+
     def part(i: int, power: int) -> F:
         start, end = F(i - 1, n) - F(1, 2), F(i, n) - F(1, 2)
         return (end ** (power + 1) - start ** (power + 1)) / (power + 1)

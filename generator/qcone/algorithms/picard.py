@@ -6,11 +6,14 @@ All orders are of local order three when the axis moves: no coning correction is
 
 from __future__ import annotations
 
+from typing import Any
+
 from qcone.algorithms.family import Choice, Conflict, Family, Values
-from qcone.algorithms.rotation_vector import SYMMETRIC
+from qcone.algorithms.rotation_vector import SYMMETRIC, Vectors
 from qcone.ir.real import (
     Algorithm,
     F,
+    Quaternion,
     Rotation,
     Source,
     Vector,
@@ -30,8 +33,15 @@ SOURCE = Source("cao", "(7), (8), (9)")
 def picard(order: int | str) -> Algorithm:
     """Return the single-sample algorithm cut off at `order` in |sigma|, or "closed" (sine and cosine)."""
 
-    @algorithm(f"picard-{order}", source=SOURCE, subsamples=1, order=2, properties=SYMMETRIC)
-    def single(q, dtheta):  # type: ignore[no-untyped-def]
+    @algorithm(
+        f"picard-{order}",
+        source=SOURCE,
+        subsamples=1,
+        order=2,
+        properties=SYMMETRIC,
+        summary="r = [a_c, a_s sigma], sigma = theta",
+    )
+    def single(q: Quaternion, dtheta: Vectors) -> Any:
         (theta,) = dtheta
         sigma = step("phi = theta", "cao (7)", theta)
         if order == "closed":
@@ -39,7 +49,7 @@ def picard(order: int | str) -> Algorithm:
         return q * _series_as_written(sigma, int(order))
 
     @single.factored
-    def factored(q, dtheta):  # type: ignore[no-untyped-def]
+    def factored(q: Quaternion, dtheta: Vectors) -> Any:
         (theta,) = dtheta
         sigma = step("phi = theta", "cao (7)", theta)
         if order == "closed":
@@ -49,7 +59,7 @@ def picard(order: int | str) -> Algorithm:
     return single
 
 
-def _series_as_written(sigma: Vector, order: int):  # type: ignore[no-untyped-def]
+def _series_as_written(sigma: Vector, order: int) -> Quaternion:
     """Write cao (9): a_c = 1 - h/2! + h^2/4!, a_s = 1/2 (1 - h/3!), h = (sigma/2)^2, as far as the order goes."""
     if order == 1:
         return step("r = [1, 1/2 sigma]", "cao (9)", quaternion(number(1, sigma), F(1, 2) * sigma))
@@ -64,15 +74,15 @@ def _series_as_written(sigma: Vector, order: int):  # type: ignore[no-untyped-de
     return step("r = [a_c, a_s sigma]", "cao (9)", quaternion(a_c, a_s * sigma))
 
 
-def _series_factored(sigma: Vector, order: int) -> Rotation:
+def _series_factored(sigma: Vector, order: int) -> Rotation | Quaternion:
     if order == 1:
         return rotation(0, step("v = 1/2 phi", "cao (9)", F(1, 2) * sigma))
-    x = step("x = |phi|^2", "", dot(sigma, sigma))
+    x = step("phi_square = |phi|^2", "", dot(sigma, sigma))
     u = x * (F(-1, 8) + F(1, 384) * x) if order == 4 else F(-1, 8) * x
     u = step("u = a_c - 1", "cao (9)", u)
     if order == 2:
         return rotation(u, step("v = 1/2 phi", "cao (9)", F(1, 2) * sigma))
-    s = step("s = a_s = 1/2 - x/48", "cao (9)", F(1, 2) - F(1, 48) * x)
+    s = step("s = a_s = 1/2 - |phi|^2/48", "cao (9)", F(1, 2) - F(1, 48) * x)
     return rotation(u, step("v = s phi", "cao (9)", s * sigma))
 
 

@@ -9,11 +9,13 @@ by symmetric pairs, so that reversing time negates phi to the last bit.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from qcone.algorithms import coefficients as weights
 from qcone.algorithms.family import Choice, Conflict, Family, Values
-from qcone.ir.real import Algorithm, F, Source, Vector, algorithm, cross, exp, step
+from qcone.ir.real import Algorithm, F, Quaternion, Source, Vector, algorithm, cross, exp, step
 
+Vectors = Sequence[Vector]
 SETS = ("taylor", "coning", "expanded", "compressed")
 SOURCES: Mapping[str, Source] = {
     "taylor": Source("xu2019", "(4)"),
@@ -23,6 +25,17 @@ SOURCES: Mapping[str, Source] = {
 }
 SYMMETRIC = frozenset({"cyclic", "flip", "time-reversal", "constant-rate"})
 ONE_SIDED = frozenset({"cyclic", "flip"})
+
+
+def _example(subsamples: int, coefficients: str | None = None, previous: int = 0) -> Values:
+    return {"subsamples": subsamples, "coefficients": coefficients, "previous": previous}
+
+
+EXAMPLES = (
+    _example(1),
+    *(_example(n, each) for n in range(2, 7) for each in SETS),
+    *(_example(1, previous=count) for count in range(1, 6)),
+)
 
 
 def rotation_vector(subsamples: int, coefficients: str | None, previous: int = 0) -> Algorithm:
@@ -35,8 +48,15 @@ def rotation_vector(subsamples: int, coefficients: str | None, previous: int = 0
 
 
 def _single() -> Algorithm:
-    @algorithm("rotation-vector-1", source=Source("cao", "(8), (9)"), subsamples=1, order=2, properties=SYMMETRIC)
-    def single(q, dtheta):  # type: ignore[no-untyped-def]
+    @algorithm(
+        "rotation-vector-1",
+        source=Source("cao", "(8), (9)"),
+        subsamples=1,
+        order=2,
+        properties=SYMMETRIC,
+        summary="phi = theta",
+    )
+    def single(q: Quaternion, dtheta: Vectors) -> Any:
         (theta,) = dtheta
         return q * exp(step("phi = theta", "cao (8)", theta))
 
@@ -49,14 +69,20 @@ def _multiple(n: int, coefficients: str) -> Algorithm:
     lopsided = coefficients == "compressed" and n > 2
 
     @algorithm(
-        f"rotation-vector-{n}-{coefficients}", source=Source(source.key, f"{source.equation}, cao (14)"),
-        subsamples=n, order=3 if lopsided else 4, properties=ONE_SIDED if lopsided else SYMMETRIC,
+        f"rotation-vector-{n}-{coefficients}",
+        source=Source(source.key, f"{source.equation}, cao (14)"),
+        subsamples=n,
+        order=3 if lopsided else 4,
+        properties=ONE_SIDED if lopsided else SYMMETRIC,
+        summary=_written_text(n, pairs, coefficients),
     )
-    def multiple(q, dtheta):  # type: ignore[no-untyped-def]
-        return q * exp(step(_written_text(n, pairs, coefficients), str(source), _as_written(dtheta, pairs, coefficients)))
+    def multiple(q: Quaternion, dtheta: Vectors) -> Any:
+        return q * exp(
+            step(_written_text(n, pairs, coefficients), str(source), _as_written(dtheta, pairs, coefficients))
+        )
 
     @multiple.factored
-    def factored(q, dtheta):  # type: ignore[no-untyped-def]
+    def factored(q: Quaternion, dtheta: Vectors) -> Any:
         total, sums, differences = _pairwise(dtheta)
         coning = _compressed(dtheta, pairs) if lopsided else _factored(total, sums, differences, pairs, n, str(source))
         return q * exp(step("phi = S + coning", str(source), total + coning))
@@ -69,17 +95,26 @@ def _with_history(count: int) -> Algorithm:
     source = Source("savage1998", "(46)")
 
     @algorithm(
-        f"rotation-vector-1-previous-{count}", source=source, subsamples=1, previous=count, order=3,
-        properties=ONE_SIDED, startup=_single(),
+        f"rotation-vector-1-previous-{count}",
+        source=source,
+        subsamples=1,
+        previous=count,
+        order=3,
+        properties=ONE_SIDED,
+        startup=_single(),
+        summary=f"phi = theta + ({_lag_text(lags)}) x theta",
     )
-    def sliding(q, dtheta, previous):  # type: ignore[no-untyped-def]
+    def sliding(q: Quaternion, dtheta: Vectors, previous: Vectors) -> Any:
         (theta,) = dtheta
-        terms = [f"{_signed(c, i == 0)} theta[-{i + 1}]" for i, c in enumerate(lags)]
-        before = step(f"h = {' '.join(terms)}", str(source), _weighted(lags, previous))
+        before = step(f"h = {_lag_text(lags)}", str(source), _weighted(lags, previous))
         coning = step("coning = h x theta", str(source), cross(before, theta))
         return q * exp(step("phi = theta + coning", str(source), theta + coning))
 
     return sliding
+
+
+def _lag_text(lags: Sequence[F]) -> str:
+    return " ".join(f"{_signed(c, i == 0)} theta[-{i + 1}]" for i, c in enumerate(lags))
 
 
 def _as_written(dtheta: Sequence[Vector], pairs: weights.Pairs, coefficients: str) -> Vector:
@@ -120,13 +155,12 @@ def _pairwise(dtheta: Sequence[Vector]) -> tuple[Vector, list[Vector], list[Vect
     """Return S, the sums s_i (the middle increment last, for odd N) and the differences d_j."""
     n = len(dtheta)
     half = range(1, n // 2 + 1)
-    mark = (lambda i: "") if n < 4 else (lambda i: str(i))
-    sums = [
-        step(f"s{mark(i)} = theta_{i} + theta_{n + 1 - i}", "", dtheta[i - 1] + dtheta[n - i]) for i in half
-    ]
-    differences = [
-        step(f"d{mark(j)} = theta_{n + 1 - j} - theta_{j}", "", dtheta[n - j] - dtheta[j - 1]) for j in half
-    ]
+
+    def mark(i: int) -> str:
+        return "" if n < 4 else str(i)
+
+    sums = [step(f"s{mark(i)} = theta_{i} + theta_{n + 1 - i}", "", dtheta[i - 1] + dtheta[n - i]) for i in half]
+    differences = [step(f"d{mark(j)} = theta_{n + 1 - j} - theta_{j}", "", dtheta[n - j] - dtheta[j - 1]) for j in half]
     text = " + ".join(f"s{mark(i)}" for i in half)
     total = sums[0]
     for each in sums[1:]:
@@ -154,17 +188,17 @@ def _factored(
         k = step(f"k = {table[0][0]} d", source, table[0][0] * differences[0])
         return step("coning = S x k", source, cross(total, k))
     if n == 3 and table[1][0] == 3 * table[0][0]:
-        u = step("u = S + 2 theta_2", source, total + sums[1] + sums[1])
+        g = step("g = S + 2 theta_2", source, total + sums[1] + sums[1])
         k = step(f"k = {table[0][0]} d", source, table[0][0] * differences[0])
-        return step("coning = u x k", source, cross(u, k))
+        return step("coning = g x k", source, cross(g, k))
     coning = None
     for j, difference in enumerate(differences):
         mark = "" if n < 4 else str(j + 1)
         column = [row[j] for row in table]
         names = [f"s{i + 1 if n > 3 else ''}" for i in range(n // 2)] + [f"theta_{n // 2 + 1}"] * (n % 2)
         text = " ".join(f"{_signed(c, i == 0)} {names[i]}" for i, c in enumerate(column))
-        u = step(f"u{mark} = {text}", source, _weighted(column, sums))
-        term = step(f"{'coning' if n < 4 else 'coning' + mark} = u{mark} x d{mark}", source, cross(u, difference))
+        g = step(f"g{mark} = {text}", source, _weighted(column, sums))
+        term = step(f"{'coning' if n < 4 else 'coning' + mark} = g{mark} x d{mark}", source, cross(g, difference))
         coning = term if coning is None else coning + term
     assert coning is not None
     return coning if n < 4 else step(f"coning = {_listing('coning', len(differences))}", source, coning)
@@ -213,15 +247,23 @@ def sum_difference_weights(pairs: weights.Pairs, n: int) -> list[list[F]]:
 def _conflicts(values: Values, given: frozenset[str]) -> list[Conflict]:
     found: list[Conflict] = []
     if values["subsamples"] == 1 and "coefficients" in given:
-        found.append((
-            "coefficients", "coefficients belong to two or more sub-samples",
-            "with subsamples = 1 there is no pair of increments to weigh", "leave the key out",
-        ))
+        found.append(
+            (
+                "coefficients",
+                "coefficients belong to two or more sub-samples",
+                "with subsamples = 1 there is no pair of increments to weigh",
+                "leave the key out",
+            )
+        )
     if values["previous"] and values["subsamples"] != 1:
-        found.append((
-            "previous", f"previous = {values['previous']} needs subsamples = 1",
-            "the history form takes one new increment an update", "set subsamples = 1 or previous = 0",
-        ))
+        found.append(
+            (
+                "previous",
+                f"previous = {values['previous']} needs subsamples = 1",
+                "the history form takes one new increment an update",
+                "set subsamples = 1 or previous = 0",
+            )
+        )
     return found
 
 
@@ -242,11 +284,6 @@ FAMILY = Family(
     ),
     make=_make,
     conflicts=_conflicts,
-    examples=(
-        {"subsamples": 1, "coefficients": None, "previous": 0},
-        *({"subsamples": n, "coefficients": c, "previous": 0} for n in range(2, 7) for c in SETS),
-        *({"subsamples": 1, "coefficients": None, "previous": p} for p in range(1, 6)),
-    ),
+    examples=EXAMPLES,
 )
 """`subsamples` 1 to 6 with one of four coefficient sets, or one sub-sample with up to five previous ones."""
-

@@ -14,7 +14,18 @@ from numpy.typing import NDArray
 
 from qcone.formats.floating import Floating
 from qcone.ir.machine import MachineOp
-from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Program, Role, Routine, Statement, Write
+from qcone.ir.statement import (
+    Advance,
+    Call,
+    Choose,
+    Loop,
+    Operation,
+    Program,
+    Role,
+    Routine,
+    Statement,
+    Write,
+)
 
 Array = NDArray[Any]
 State = dict[str, Array]
@@ -22,7 +33,7 @@ State = dict[str, Array]
 
 DTYPES: Mapping[str, Any] = {"float32": np.float32, "float64": np.float64}
 COUNTER = np.int32
-ARITHMETIC: Mapping[MachineOp, Callable[..., Array]] = {
+ARITHMETIC: Mapping[object, Callable[..., Array]] = {
     MachineOp.ADD: np.add,
     MachineOp.SUBTRACT: np.subtract,
     MachineOp.MULTIPLY: np.multiply,
@@ -58,7 +69,11 @@ class Model:
         self._flat: dict[str, list[Any]] = {}
 
     def run(
-        self, name: str, state: State, inputs: Mapping[str, Array] | None = None, watch: dict[str, Array] | None = None
+        self,
+        name: str,
+        state: State,
+        inputs: Mapping[str, Array] | None = None,
+        watch: dict[str, Array] | None = None,
     ) -> dict[str, Array]:
         """Run one routine; see the class."""
         routine = self.program.routine(name)
@@ -89,7 +104,12 @@ class Model:
 
 
 def _run(
-    routine: Routine, state: State, inputs: Mapping[str, Array], lanes: int, dtype: Any, watch: dict[str, Array] | None
+    routine: Routine,
+    state: State,
+    inputs: Mapping[str, Array],
+    lanes: int,
+    dtype: Any,
+    watch: dict[str, Array] | None,
 ) -> dict[str, Array]:
     memory: dict[str, Array] = {}
     for block in routine.blocks:
@@ -109,18 +129,22 @@ def _run(
 
 
 def _body(
-    body: Sequence[Statement], routine: Routine, memory: dict[str, Array], values: dict[int, Any],
-    counters: dict[str, int], dtype: Any, lanes: int,
+    body: Sequence[Statement],
+    routine: Routine,
+    memory: dict[str, Array],
+    values: dict[int, Any],
+    counters: dict[str, int],
+    dtype: Any,
+    lanes: int,
 ) -> None:
     for statement in body:
         match statement:
             case Operation(result, op, args, constant, place):
                 if op in ARITHMETIC:
-                    values[result] = ARITHMETIC[op](*[values[arg] for arg in args])  # type: ignore[index]
-                elif op is MachineOp.LITERAL:
-                    values[result] = dtype(float(constant))  # type: ignore[arg-type]
-                else:
-                    assert place is not None
+                    values[result] = ARITHMETIC[op](*[values[arg] for arg in args])
+                elif constant is not None:
+                    values[result] = dtype(float(constant))
+                elif place is not None:
                     array = memory[place.block][place.index.at(counters)]
                     values[result] = array.copy() if routine.block(place.block).role is not Role.INPUT else array
             case Write(place, value):

@@ -46,7 +46,7 @@ class Function:
     internal: bool
 
 
-class Unprintable(Exception):
+class UnprintableError(Exception):
     """An operation that no pass has lowered to the machine language."""
 
 
@@ -111,9 +111,9 @@ def writes_state(routine: Routine) -> bool:
 
 
 def literal(constant: Fraction, exact: Fraction | None, number: Floating) -> str:
-    """Return a literal, with the rational it was rounded from beside it."""
+    """Return a literal, with the rational it was rounded from beside it unless it is a multiple of 1/8."""
     text = number.literal(constant)
-    return text if exact is None or exact.denominator == 1 else f"{text} /* {exact} */"
+    return text if exact is None or 8 % exact.denominator == 0 else f"{text} /* {exact} */"
 
 
 class _Printer:
@@ -168,13 +168,13 @@ class _Printer:
             case Operation(result, op, args, _, place):
                 name = self.routine.names[result]
                 if op in SIGNS:
-                    yield f"const {ctype} {name} = {self._use(args[0])} {SIGNS[op]} {self._use(args[1])};"  # type: ignore[index]
+                    yield f"const {ctype} {name} = {self._use(args[0])} {SIGNS[op]} {self._use(args[1])};"
                 elif op is MachineOp.NEGATE:
                     yield f"const {ctype} {name} = -{self._use(args[0])};"
                 elif op is MachineOp.READ and place is not None:
                     yield f"const {ctype} {name} = {self._place(place)};"
                 else:
-                    raise Unprintable(f"{self.routine.name}: {op} must be lowered before it is printed")
+                    raise UnprintableError(f"{self.routine.name}: {op} must be lowered before it is printed")
             case Write(place, value):
                 yield f"{self._place(place)} = {self._use(value)};"
             case Advance(place):
@@ -187,9 +187,7 @@ class _Printer:
                 for part, result in enumerate(results):
                     yield f"const {ctype} {self.routine.names[result]} = {array}[{part}];"
 
-    def _choose(
-        self, place: Place, cases: tuple[tuple[int, str], ...], otherwise: str, indent: str
-    ) -> Iterator[str]:
+    def _choose(self, place: Place, cases: tuple[tuple[int, str], ...], otherwise: str, indent: str) -> Iterator[str]:
         arguments = ", ".join(["state", *(block.name for block in parameters(self.routine))])
         word = "if"
         for limit, name in cases:

@@ -60,9 +60,7 @@ class Counts:
 def count(routine: Routine) -> Counts:
     """Count the operations one call of the routine executes."""
     constants = {
-        each.result: each.constant
-        for each in routine.body
-        if isinstance(each, Operation) and each.constant is not None
+        each.result: each.constant for each in routine.body if isinstance(each, Operation) and each.constant is not None
     }
     found: Counter[str] = Counter()
     _body(routine.body, routine, constants, {}, found)
@@ -70,7 +68,10 @@ def count(routine: Routine) -> Counts:
 
 
 def _body(
-    body: tuple[Statement, ...], routine: Routine, constants: dict[int, Fraction], counters: dict[str, int],
+    body: tuple[Statement, ...],
+    routine: Routine,
+    constants: dict[int, Fraction],
+    counters: dict[str, int],
     found: Counter[str],
 ) -> None:
     for statement in body:

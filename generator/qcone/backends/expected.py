@@ -35,9 +35,7 @@ def differences(program: Program, number: Floating, header: str, source: str) ->
     return list(_compare(program, number, found))
 
 
-def _compare(
-    program: Program, number: Floating, found: Mapping[str, tuple[str, tuple[Line, ...]]]
-) -> Iterator[str]:
+def _compare(program: Program, number: Floating, found: Mapping[str, tuple[str, tuple[Line, ...]]]) -> Iterator[str]:
     routines = {f"{program.name}_{routine.name}": routine for routine in program.routines}
     for routine in program.routines:
         for callee in _callees(routine):

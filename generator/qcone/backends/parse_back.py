@@ -184,7 +184,10 @@ def _expression(node: Any) -> str:
 
 def affine(terms: Mapping[str, int]) -> str:
     """Return `{'n': 3, '': -1}` as a canonical text, the constant under the empty name."""
-    return " + ".join(f"{factor}*{name}" if name else str(factor) for name, factor in sorted(terms.items()) if factor) or "0"
+    return (
+        " + ".join(f"{factor}*{name}" if name else str(factor) for name, factor in sorted(terms.items()) if factor)
+        or "0"
+    )
 
 
 def _collect(node: Any, factor: int, terms: dict[str, int]) -> None:

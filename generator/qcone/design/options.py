@@ -18,9 +18,7 @@ from qcone.errors import DesignError
 _WHOLE = re.compile(r"[+-]?[0-9]{1,40}")
 
 
-def design_from_options(
-    name: str, options: Mapping[str, object], catalogue: Sequence[AlgorithmEntry]
-) -> Design:
+def design_from_options(name: str, options: Mapping[str, object], catalogue: Sequence[AlgorithmEntry]) -> Design:
     """Return the design that command line options describe, named `name`.
 
     `options` maps option words (`max_rate_dps` or `max-rate-dps`; `number` is the number format) to text or

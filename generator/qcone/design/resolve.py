@@ -41,10 +41,7 @@ def resolve(
     algorithm = table.get("algorithm")
     entry = next((each for each in catalogue if each.id == algorithm), None)
     every_parameter = {each.name: None for one in catalogue for each in one.parameters}
-    if entry is None:
-        keys = unchecked_keys(every_parameter)
-    else:
-        keys = tuple(parameter_key(each) for each in entry.parameters)
+    keys = unchecked_keys(every_parameter) if entry is None else tuple(parameter_key(each) for each in entry.parameters)
     given, findings = check_keys(table, keys, places, frozenset(every_parameter))
     findings = check_name(name) + findings
     refused = frozenset(each.path for each in findings)
@@ -90,9 +87,7 @@ def _unknown_algorithm(algorithm: str, catalogue: Sequence[AlgorithmEntry], plac
             "a function of your own is written file.py:function",
             'write for example "my_paper.py:my_update"',
         )
-    return Finding(
-        ("algorithm",), "QC109", f"{places.given(('algorithm',), algorithm)} is unknown", why, hint
-    )
+    return Finding(("algorithm",), "QC109", f"{places.given(('algorithm',), algorithm)} is unknown", why, hint)
 
 
 def _with_defaults(keys: tuple[Key, ...], given: Mapping[str, Any]) -> dict[str, Any]:

@@ -86,9 +86,7 @@ def _half_turn(imu: dict[str, Any], places: Places) -> Iterator[Finding]:
         needed = -(-rate // _HALF_TURN_DEG)
         what = f"{places.given(path, _decimal(rate))} turns {float(angle):.6g} deg in one update"
         why = "more than half a turn cannot be told from less"
-        yield Finding(
-            path, _CONFLICT, what, why, f"raise {places.word(('imu', 'update_hz'))} to {needed} or more"
-        )
+        yield Finding(path, _CONFLICT, what, why, f"raise {places.word(('imu', 'update_hz'))} to {needed} or more")
 
 
 def _decimal(value: Fraction) -> object:

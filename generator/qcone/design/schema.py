@@ -34,9 +34,7 @@ def json_schema(catalogue: Sequence[AlgorithmEntry]) -> dict[str, Any]:
     def table(path: KeyPath) -> dict[str, Any]:
         keys = known[path]
         below = [each for each in known if each and each[:-1] == path]
-        properties = {key.name: _property(key, ids) for key in keys} | {
-            each[-1]: table(each) for each in below
-        }
+        properties = {key.name: _property(key, ids) for key in keys} | {each[-1]: table(each) for each in below}
         required = [key.name for key in keys if key.required]
         required += [each[-1] for each in below if any(key.required for key in known[each])]
         needs = {"required": required} if required else {}
@@ -84,9 +82,7 @@ def _property(key: Key, algorithms: Sequence[str]) -> dict[str, Any]:
         "flag": {"type": "boolean"},
         "axes": {"type": "string", "pattern": f"^{_AXIS},{_AXIS},{_AXIS}$"},
         "license": {"type": "string", "pattern": LICENSE_PATTERN},
-        "text": {
-            "anyOf": [{"enum": list(algorithms)}, {"type": "string", "pattern": USER_ALGORITHM_PATTERN}]
-        },
+        "text": {"anyOf": [{"enum": list(algorithms)}, {"type": "string", "pattern": USER_ALGORITHM_PATTERN}]},
     }
     default = "x,y,z" if key.kind == "axes" else key.default
     told = {} if default is None else {"default": list(default) if isinstance(default, tuple) else default}

@@ -97,9 +97,7 @@ def _finding(
         return Finding(path, "QC106", what, "", f"write {places.proposal(path, key.example)}")
     if kind.startswith("QC"):
         context = error["ctx"]
-        return Finding(
-            path, kind, f"{places.given(path, value)} {context['what']}", context["why"], context["hint"]
-        )
+        return Finding(path, kind, f"{places.given(path, value)} {context['what']}", context["why"], context["hint"])
     return wrong_type(path, key, value, places)
 
 

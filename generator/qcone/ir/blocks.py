@@ -97,7 +97,7 @@ class Scalar(Quantity):
             return other
         return number(exact(other), self)
 
-    def __add__(self, other: Scalar | Number) -> Scalar:  # type: ignore[override]
+    def __add__(self, other: Scalar | Number) -> Scalar:
         """Add a scalar or an exact number."""
         return self._pairwise("sum", RealOp.ADD, self._lift(other))
 
@@ -105,7 +105,7 @@ class Scalar(Quantity):
         """Add to an exact number."""
         return self._lift(other) + self
 
-    def __sub__(self, other: Scalar | Number) -> Scalar:  # type: ignore[override]
+    def __sub__(self, other: Scalar | Number) -> Scalar:
         """Subtract a scalar or an exact number."""
         return self._pairwise("difference", RealOp.SUBTRACT, self._lift(other))
 

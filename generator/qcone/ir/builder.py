@@ -106,7 +106,11 @@ class Builder:
         self._append(Loop(counter, first, last, body, self._step()))
 
     def group(
-        self, kind: str, values: Sequence[int], operands: Sequence[int] = (), factor: Fraction | None = None,
+        self,
+        kind: str,
+        values: Sequence[int],
+        operands: Sequence[int] = (),
+        factor: Fraction | None = None,
         norm: Fraction | None = None,
     ) -> int:
         """Record that these values are one vector, quaternion or scalar; return the group's number."""
@@ -141,7 +145,9 @@ class Builder:
         steps = tuple(self.steps) or (Step(""),)
         body = tuple(self._scopes[0])
         blocks = tuple(self.blocks)
-        return Routine(self.name, blocks, body, steps, dict(self.names), tuple(self.groups), dict(self.callees), summary)
+        return Routine(
+            self.name, blocks, body, steps, dict(self.names), tuple(self.groups), dict(self.callees), summary
+        )
 
     # -- inside ---------------------------------------------------------------------------------------
 
@@ -170,8 +176,6 @@ class Builder:
 def _with_step(statement: Statement, number: int) -> Statement:
     """Move a statement to another step, and with it what stands inside it under the same heading."""
     if isinstance(statement, Loop):
-        body = tuple(
-            _with_step(inner, number) if inner.step == statement.step else inner for inner in statement.body
-        )
+        body = tuple(_with_step(inner, number) if inner.step == statement.step else inner for inner in statement.body)
         return replace(statement, body=body, step=number)
     return replace(statement, step=number)

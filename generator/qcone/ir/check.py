@@ -9,14 +9,27 @@ from qcone.errors import QconeError
 from qcone.ir import machine, operations
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
-from qcone.ir.statement import Advance, Call, Choose, Index, Loop, Operation, Place, Program, Role, Routine, Statement, Write
+from qcone.ir.statement import (
+    Advance,
+    Call,
+    Choose,
+    Index,
+    Loop,
+    Operation,
+    Place,
+    Program,
+    Role,
+    Routine,
+    Statement,
+    Write,
+)
 
 
 class IllegalRoutineError(QconeError):
     """A pass left a routine that breaks a rule of its language: a bug of ours (exit code 70)."""
 
 
-ARITY: Mapping[Enum, int] = {**operations.ARITY, **machine.ARITY}
+ARITY: Mapping[Enum, int] = dict((*operations.ARITY.items(), *machine.ARITY.items()))
 
 
 def check(routine: Routine, language: type[Enum]) -> Routine:
@@ -47,7 +60,9 @@ class _Checker:
     def run(self) -> None:
         self._body(self.routine.body, {}, frozenset())
 
-    def _body(self, body: Sequence[Statement], counters: Mapping[str, tuple[int, int]], visible: frozenset[int]) -> None:
+    def _body(
+        self, body: Sequence[Statement], counters: Mapping[str, tuple[int, int]], visible: frozenset[int]
+    ) -> None:
         known = set(visible)
         for statement in body:
             if not 0 <= statement.step < len(self.routine.steps):

@@ -64,8 +64,13 @@ def evaluate(routine: Routine, inputs: Mapping[str, Sequence[Any]], numbers: Num
 
 
 def _run(
-    body: Sequence[Statement], routine: Routine, memory: dict[str, list[Any]], values: dict[int, Any],
-    counters: dict[str, int], numbers: Numbers, writes: list[tuple[str, int, Any]],
+    body: Sequence[Statement],
+    routine: Routine,
+    memory: dict[str, list[Any]],
+    values: dict[int, Any],
+    counters: dict[str, int],
+    numbers: Numbers,
+    writes: list[tuple[str, int, Any]],
 ) -> None:
     for statement in body:
         match statement:
@@ -79,7 +84,15 @@ def _run(
                     memory[statement.place.block][index] = value
             case Loop():
                 for turn in statement.turns(counters):
-                    _run(statement.body, routine, memory, values, counters | {statement.counter: turn}, numbers, writes)
+                    _run(
+                        statement.body,
+                        routine,
+                        memory,
+                        values,
+                        counters | {statement.counter: turn},
+                        numbers,
+                        writes,
+                    )
             case Call():
                 _call(statement, routine, values, numbers)
             case Advance():
@@ -101,7 +114,10 @@ def _call(call: Call, routine: Routine, values: dict[int, Any], numbers: Numbers
 
 
 def _value(
-    operation: Operation, memory: dict[str, list[Any]], values: dict[int, Any], counters: dict[str, int],
+    operation: Operation,
+    memory: dict[str, list[Any]],
+    values: dict[int, Any],
+    counters: dict[str, int],
     numbers: Numbers,
 ) -> Any:
     args = [values[arg] for arg in operation.args]
@@ -122,9 +138,12 @@ def _value(
             return args[0] / args[1]
         case RealOp.NEGATE:
             return -args[0]
-    function = {
-        RealOp.SQUARE_ROOT: numbers.square_root, RealOp.SINE: numbers.sine, RealOp.COSINE: numbers.cosine
-    }[operation.op]  # type: ignore[index]
+    functions: dict[object, Callable[[Any], Any] | None] = {
+        RealOp.SQUARE_ROOT: numbers.square_root,
+        RealOp.SINE: numbers.sine,
+        RealOp.COSINE: numbers.cosine,
+    }
+    function = functions[operation.op]
     if function is None:
         raise ArithmeticError(f"{operation.op.value} has no meaning in exact arithmetic")
     return function(args[0])

@@ -12,7 +12,8 @@ from qcone.ir.indexed import history, loop, table
 from qcone.ir.operations import RealOp
 from qcone.ir.specification import Algorithm, Source, algorithm
 from qcone.ir.statement import Block, Role, Routine, Shape
-from qcone.ir.update import Rotation, exp, quaternion, rotation
+from qcone.ir.subroutine import subroutine
+from qcone.ir.update import Rotation, Update, exp, quaternion, rotation
 
 __all__ = [
     "Algorithm",
@@ -27,6 +28,7 @@ __all__ = [
     "Scalar",
     "Shape",
     "Source",
+    "Update",
     "Vector",
     "algorithm",
     "cross",
@@ -41,5 +43,6 @@ __all__ = [
     "rotation",
     "sqrt",
     "step",
+    "subroutine",
     "table",
 ]

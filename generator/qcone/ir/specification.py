@@ -58,8 +58,15 @@ class Algorithm:
 
 
 def algorithm(
-    name: str, *, source: Source, subsamples: int = 1, previous: int = 0, order: int | None = None,
-    properties: frozenset[str] = frozenset(), startup: Algorithm | None = None, errata: tuple[str, ...] = (),
+    name: str,
+    *,
+    source: Source,
+    subsamples: int = 1,
+    previous: int = 0,
+    order: int | None = None,
+    properties: frozenset[str] = frozenset(),
+    startup: Algorithm | None = None,
+    errata: tuple[str, ...] = (),
     summary: str = "",
 ) -> Callable[[Author], Algorithm]:
     """Make an `Algorithm` of the decorated function.
@@ -74,8 +81,16 @@ def algorithm(
 
     def decorate(function: Author) -> Algorithm:
         return Algorithm(
-            name=name, source=source, subsamples=subsamples, write=function, previous=previous, order=order,
-            properties=properties, startup=startup, errata=errata, summary=summary,
+            name=name,
+            source=source,
+            subsamples=subsamples,
+            write=function,
+            previous=previous,
+            order=order,
+            properties=properties,
+            startup=startup,
+            errata=errata,
+            summary=summary,
         )
 
     return decorate
@@ -83,5 +98,3 @@ def algorithm(
 
 MOST_SUBSAMPLES = 12
 """More than any paper uses; a number above it is a slip of the pen, not a design."""
-
-

@@ -72,7 +72,7 @@ def _finish(result: Any, algorithm: Algorithm, function: Callable[..., Any], bui
         if not builder.writing.as_written and builder.writing.accumulate != "standard":
             raise UsageError(
                 f"{_place(function)}: algorithm '{algorithm.name}' returns q (x) r as a plain product, which "
-                f"accumulate = \"{builder.writing.accumulate}\" cannot hold apart from q: return "
+                f'accumulate = "{builder.writing.accumulate}" cannot hold apart from q: return '
                 'q * rotation(u, v) with r = [1 + u, v], or set accumulate = "standard"'
             )
         return step("q_next = q (x) r", "", result)

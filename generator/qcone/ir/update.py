@@ -110,9 +110,9 @@ def exp(phi: Vector) -> Rotation | Quaternion:
     if series is None:
         zero = dot(phi, phi)
         return Rotation(zero, phi)
-    x = step("x = |phi|^2", "", dot(phi, phi))
-    u = step("u = cos(|phi|/2) - 1, polynomial in x", "cao (9)", x * horner(series.cosine, x))
-    s = step("s = sin(|phi|/2)/|phi|, polynomial in x", "cao (9)", horner((Fraction(1, 2), *series.sine), x))
+    x = step("phi_square = |phi|^2", "", dot(phi, phi))
+    u = step("u = cos(|phi|/2) - 1, polynomial in |phi|^2", "cao (9)", x * horner(series.cosine, x))
+    s = step("s = sin(|phi|/2)/|phi|, polynomial in |phi|^2", "cao (9)", horner((Fraction(1, 2), *series.sine), x))
     v = step("v = s phi", "cao (14)", s * phi)
     return Rotation(u, v)
 

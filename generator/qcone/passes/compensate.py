@@ -29,7 +29,9 @@ from qcone.ir.statement import (
 )
 from qcone.passes.rebuild import rebuild
 
-RESIDUAL = Block("residual", Shape.QUATERNION, Role.STATE, unit="rounding error that q carries: attitude is q - residual")
+RESIDUAL = Block(
+    "residual", Shape.QUATERNION, Role.STATE, unit="rounding error that q carries: attitude is q - residual"
+)
 SETTING = frozenset({"init", "set_quaternion"})
 """The routines that set the attitude anew."""
 
@@ -116,7 +118,9 @@ class _Compensation:
         suffix = "wxyz"[operation.place.index.constant]
         name = self.names.pop(operation.result, f"q_{suffix}")
         self.names[operation.result] = f"state_{suffix}"
-        carried = self._new(f"residual_{suffix}", RealOp.READ, (), operation.step, _residual(operation.place.index.constant))
+        carried = self._new(
+            f"residual_{suffix}", RealOp.READ, (), operation.step, _residual(operation.place.index.constant)
+        )
         whole = self._new(name, RealOp.SUBTRACT, (operation.result, carried.result), operation.step)
         renamed[operation.result] = whole.result
         return (operation, carried, whole)

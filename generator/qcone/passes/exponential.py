@@ -79,9 +79,7 @@ def powers_of(function: str, degree: int) -> list[int]:
 
 def taylor(function: str, degree: int) -> list[Fraction]:
     """Return the Taylor coefficients of cos(t/2) - 1 or sin(t/2) - t/2 that belong to `powers_of`."""
-    return [
-        Fraction((-1) ** (power // 2), 2**power * factorial(power)) for power in powers_of(function, degree)
-    ]
+    return [Fraction((-1) ** (power // 2), 2**power * factorial(power)) for power in powers_of(function, degree)]
 
 
 def truncation(function: str, coefficients: Sequence[Fraction], end: Fraction) -> Fraction:

@@ -5,7 +5,7 @@ x + 0 and x * 0 stay as they are: a sum with zero is not x for a negative zero, 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
@@ -13,7 +13,7 @@ from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, Routine, Statement
 from qcone.passes.rebuild import rebuild
 
-_EXACT = {
+_EXACT: Mapping[object, Callable[..., Fraction | None]] = {
     RealOp.ADD: lambda a, b: a + b,
     RealOp.SUBTRACT: lambda a, b: a - b,
     RealOp.MULTIPLY: lambda a, b: a * b,
@@ -32,7 +32,7 @@ def fold(routine: Routine) -> Routine:
             known[operation.result] = operation.constant
             return (operation,)
         if operation.op in _EXACT and all(arg in known for arg in operation.args):
-            value: Fraction | None = _EXACT[operation.op](*(known[arg] for arg in operation.args))
+            value = _EXACT[operation.op](*(known[arg] for arg in operation.args))
             if value is not None:
                 known[operation.result] = value
                 return (replace(operation, op=RealOp.CONSTANT, args=(), constant=value),)

@@ -26,7 +26,10 @@ def share(routine: Routine) -> Routine:
 
 
 def _scope(
-    body: tuple[Statement, ...], outer: dict[object, int], renamed: dict[int, int], steady: set[str],
+    body: tuple[Statement, ...],
+    outer: dict[object, int],
+    renamed: dict[int, int],
+    steady: set[str],
     names: dict[int, str],
 ) -> tuple[Statement, ...]:
     seen = dict(outer)

@@ -63,8 +63,7 @@ class _Carrier:
                 return
             case RealOp.MULTIPLY | RealOp.DIVIDE:
                 sign = signed[0][0] * signed[1][0]
-                args = (signed[0][1], signed[1][1])
-                operation = replace(operation, args=args)
+                operation = replace(operation, args=(signed[0][1], signed[1][1]))
             case RealOp.ADD | RealOp.SUBTRACT:
                 (s, a), (t, b) = signed
                 t = t if operation.op is RealOp.ADD else -t

@@ -151,15 +151,10 @@ def run(
     if previous and order is not None:
         raise ValueError("previous and order are different algorithms, choose one")
     if history is not None and np.shape(history) != (previous, 3):
-        raise ValueError(
-            f"history has shape {np.shape(history)}, previous = {previous} needs ({previous}, 3)"
-        )
+        raise ValueError(f"history has shape {np.shape(history)}, previous = {previous} needs ({previous}, 3)")
     if order is not None:
         return chain(start, _picard_change(dtheta[:, 0], order))
-    if previous:
-        phi = _with_previous(dtheta[:, 0], previous, history)
-    else:
-        phi = rotation_vector(dtheta, coefficients)
+    phi = _with_previous(dtheta[:, 0], previous, history) if previous else rotation_vector(dtheta, coefficients)
     return chain(start, change_from_rotation_vector(phi))
 
 

@@ -37,9 +37,7 @@ def integrate(
     return np.concatenate([np.asarray(start, dtype=np.float64)[np.newaxis], attitudes])[wanted]
 
 
-def rotation_vectors(
-    rate: Callable[[Array], Array], increments: Callable[[Array], Array], times: Array
-) -> Array:
+def rotation_vectors(rate: Callable[[Array], Array], increments: Callable[[Array], Array], times: Array) -> Array:
     """Return the exact rotation vectors (n - 1, 3) rad between consecutive `times` (n,) s.
 
     phi = S + int (phi' - omega) dt: the large part S comes from `increments`, so the quadrature, with its

@@ -61,9 +61,7 @@ class Motion:
         duration = end - begin
         angle = np.zeros((len(duration), 3))
         for k, coefficient in enumerate(self.polynomial):
-            mean_power = sum((begin**i * end ** (k - i) for i in range(k + 1)), np.zeros_like(begin)) / (
-                k + 1
-            )
+            mean_power = sum((begin**i * end ** (k - i) for i in range(k + 1)), np.zeros_like(begin)) / (k + 1)
             angle += np.outer(duration * mean_power, coefficient)
         for term in self.sinusoids:
             half = np.pi * term.frequency * duration

@@ -43,9 +43,7 @@ def write_attitude(
         ) from reason
 
 
-def _lines(
-    time_s: NDArray[np.floating], q: NDArray[np.floating], raw: NDArray[np.integer] | None
-) -> Iterator[str]:
+def _lines(time_s: NDArray[np.floating], q: NDArray[np.floating], raw: NDArray[np.integer] | None) -> Iterator[str]:
     """Yield the header and the rows, checking shapes first."""
     updates = len(time_s)
     shapes = {"time_s": (time_s.shape, (updates,)), "q": (q.shape, (updates, 4))}

@@ -79,9 +79,7 @@ def read_table(path: Path) -> Table:
     try:
         content = path.read_bytes()
     except OSError as reason:
-        raise UsageError(
-            f"{path}: cannot be read, {reason.strerror or reason}, give an existing CSV file"
-        ) from reason
+        raise UsageError(f"{path}: cannot be read, {reason.strerror or reason}, give an existing CSV file") from reason
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as reason:
@@ -109,9 +107,7 @@ def read_table(path: Path) -> Table:
 def find_columns(table: Table, names: Mapping[str, str], kind: str, *, needs_time: bool) -> dict[str, int]:
     """Return the position of each named column; only the default t may be missing, where it is not needed."""
     if needs_time and "t" not in names:
-        raise UsageError(
-            "--columns: no t, the times come from a column t=NAME or from --sample-hz HZ, give one"
-        )
+        raise UsageError("--columns: no t, the times come from a column t=NAME or from --sample-hz HZ, give one")
     header = table.header
     for name in names.values():
         if header.count(name) > 1:
@@ -180,6 +176,5 @@ def read_number(table: Table, row: int, column: int) -> float:
     except ValueError:
         what = f"'{cell.strip()}' is not a number" if cell.strip() else "the cell is empty"
     raise UsageError(
-        f"{table.place(row)}, column '{table.header[column]}': {what}, every sample counts, remove the row "
-        f"or mend it"
+        f"{table.place(row)}, column '{table.header[column]}': {what}, every sample counts, remove the row or mend it"
     )

@@ -94,9 +94,7 @@ def read_recording(
         origin = float(1 / given_hz) if kind == "increment" else 0.0
         if "t" in places:
             origin = read_number(table, 0, places["t"])
-            notes = (
-                f"times follow --sample-hz {float(given_hz):g}, column '{names['t']}' gives only the first",
-            )
+            notes = (f"times follow --sample-hz {float(given_hz):g}, column '{names['t']}' gives only the first",)
         time_s = origin + np.arange(len(values)) / float(given_hz)
         hz = given_hz
     else:
@@ -117,9 +115,7 @@ def split_updates(recording: Recording, subsamples: int) -> Updates:
     rows = len(recording.values)
     updates, left = divmod(rows - rates, subsamples)
     if updates < 1:
-        takes = (
-            f"{subsamples + rates} ({subsamples} and the one it starts from)" if rates else f"{subsamples}"
-        )
+        takes = f"{subsamples + rates} ({subsamples} and the one it starts from)" if rates else f"{subsamples}"
         raise UsageError(
             f"{recording.source}: fewer rows than one update, {rows} given and one update takes "
             f"{takes}, give a longer recording or a smaller --subsamples"
@@ -182,7 +178,5 @@ def _clock(table: Table, time_s: NDArray[np.float64], *, resampled: bool) -> Fra
     hz = even_rate(time_s)
     low, high = RATE_RANGE_HZ
     if not low <= hz <= high:
-        raise UsageError(
-            f"{table.path}: steps of {float(steps[0]):g} s are not usable, are the times in seconds?"
-        )
+        raise UsageError(f"{table.path}: steps of {float(steps[0]):g} s are not usable, are the times in seconds?")
     return hz

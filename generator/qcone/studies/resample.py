@@ -123,14 +123,9 @@ def _remarks(
     """Say what was resampled, each gap with its place, and what a cubic cannot mend."""
     regularity = "regular" if first_irregular(time_s) is None else "irregular"
     shortest, longest = float(steps.min()), float(steps.max())
-    notes = [
-        f"resampled to {float(hz):g} Hz from {regularity} steps "
-        f"({1e3 * shortest:.3g} .. {1e3 * longest:.3g} ms)"
-    ]
+    notes = [f"resampled to {float(hz):g} Hz from {regularity} steps ({1e3 * shortest:.3g} .. {1e3 * longest:.3g} ms)"]
     gaps = np.flatnonzero(steps > GAP * median)
-    filled = (
-        "the increment after it is taken to cover it" if kind == "increment" else "filled by a straight line"
-    )
+    filled = "the increment after it is taken to cover it" if kind == "increment" else "filled by a straight line"
     for row in gaps[:GAPS_NAMED].tolist():
         notes.append(
             f"gap of {1e3 * steps[row]:.3g} ms ({steps[row] / median:.3g} median steps) between data rows "

@@ -55,9 +55,7 @@ def build_shared(compiler: Compiler, files: Mapping[str, str], level: str, extra
     return _cached(compiler, files, (*chosen, *extra), ".so")
 
 
-def build_program(
-    compiler: Compiler, files: Mapping[str, str], level: str, extra: Sequence[str] = ()
-) -> Path:
+def build_program(compiler: Compiler, files: Mapping[str, str], level: str, extra: Sequence[str] = ()) -> Path:
     """Compile every .c of `files` into one program and return its cached path; CompileError as above."""
     return _cached(compiler, files, (*flags(compiler), level, *extra), ".exe")
 
@@ -79,9 +77,7 @@ def compile_object(
     return _cached(compiler, files, ("-c", *flags(compiler), level, *target_flags, *extra), ".o")
 
 
-def warnings(
-    compiler: Compiler, files: Mapping[str, str], level: str = "-O2", extra: Sequence[str] = ()
-) -> str:
+def warnings(compiler: Compiler, files: Mapping[str, str], level: str = "-O2", extra: Sequence[str] = ()) -> str:
     """Return what `compiler` says of each .c of `files` under WARNING_FLAGS; empty when it says nothing."""
     said = []
     # zig repeats no warning for text it has compiled before, but it does repeat an error.

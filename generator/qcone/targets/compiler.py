@@ -83,8 +83,7 @@ def first_compiler(cc: str | None = None) -> Compiler:
     found = compilers(cc)
     if not found:
         raise MissingToolError(
-            "no C compiler found: $CC, cc, gcc and clang do not answer and the ziglang package is not"
-            f" installed; {FIX}"
+            f"no C compiler found: $CC, cc, gcc and clang do not answer and the ziglang package is not installed; {FIX}"
         )
     return found[0]
 
@@ -106,7 +105,7 @@ def flags(compiler: Compiler) -> tuple[str, ...]:
         return ("-std=c99",)
     common = ("-std=c99", "-ffp-contract=off")
     if compiler.family == "gcc":
-        return (*common, "-fno-tree-slp-vectorize")
+        return (*common, "-fno-tree-vectorize")
     return (*common, "-fno-sanitize=undefined") if is_zig(compiler) else common
 
 

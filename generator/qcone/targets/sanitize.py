@@ -121,9 +121,7 @@ def _build(
 def _links_at_once(compiler: Compiler) -> bool:
     """Tell whether zig can use the libc that is here, and so be spared the seconds of building its own."""
     try:
-        build_program(
-            compiler, _RUNTIME | {"main.c": "int main(void) { return 0; }\n"}, "-O1", _ZIG_LIBRARIES
-        )
+        build_program(compiler, _RUNTIME | {"main.c": "int main(void) { return 0; }\n"}, "-O1", _ZIG_LIBRARIES)
     except CompileError:
         return False
     return True

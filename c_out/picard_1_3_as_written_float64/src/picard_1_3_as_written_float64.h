@@ -1,0 +1,112 @@
+/* Generated, do not edit. Made by: qcone generate picard.toml --design picard_1_3_as_written_float64
+ *
+ * qcone 0.1.0, design picard_1_3_as_written_float64, SHA-256 of the design
+ * a93ed6d583cdd04624bb5ac7eab19ccaa25ec9259445c879d7d79ba74592cab1
+ *
+ * algorithm:   picard-3, form as-written, q' = q (x) r, not renormalised
+ * source:      cao (7), (8), (9)
+ * equation:    r = [a_c, a_s sigma], sigma = theta
+ * number:      float64, every operation rounded once
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
+ *              tree-vectorize
+ *
+ * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.10001 rad; beyond
+ *              it accuracy is lost, nothing else
+ * truncation:  none: no function is approximated
+ * rounding:    not bounded
+ *
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
+ * update as-written       26       0   14         2       6       0     0     0
+ * update shared           23       3    8         8       0       0     0     0
+ * update emitted          23       3    8         8       0       0     0     0
+ * dcm as-written          30       0    6         9       0       0     0     0
+ * dcm shared              10       6    6         8       0       0     0     0
+ * dcm emitted             10       6    6         8       0       0     0     0
+ *
+ * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
+ * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
+ * and sign of a NaN are unspecified.
+ *
+ * SPDX-License-Identifier: MIT-0
+ * The maker of the generator claims no rights in this file.
+ */
+#ifndef PICARD_1_3_AS_WRITTEN_FLOAT64_H
+#define PICARD_1_3_AS_WRITTEN_FLOAT64_H
+
+#include <float.h>
+
+#ifdef __FAST_MATH__
+#error "picard_1_3_as_written_float64: compile without -ffast-math: the order of operations is part of the result"
+#endif
+#if !defined(FLT_EVAL_METHOD) || (FLT_EVAL_METHOD != 0)
+#error "picard_1_3_as_written_float64: needs FLT_EVAL_METHOD 0: every operation rounded to its own type"
+#endif
+#if (FLT_RADIX != 2) || (DBL_MANT_DIG != 53)
+#error "picard_1_3_as_written_float64: needs the binary formats of IEEE 754"
+#endif
+
+/* Interface of the emitted code; companions check it. */
+#define PICARD_1_3_AS_WRITTEN_FLOAT64_VERSION 1
+/* Samples handed to one update. */
+#define PICARD_1_3_AS_WRITTEN_FLOAT64_SUBSAMPLES 1
+/* Time of one update in seconds. */
+#define PICARD_1_3_AS_WRITTEN_FLOAT64_INTERVAL_S 0.01
+/* Initialiser of a state: what init() sets. */
+#define PICARD_1_3_AS_WRITTEN_FLOAT64_STATE_INIT { { 1.0, 0.0, 0.0, 0.0 } }
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The state of one attitude; its members are private. */
+typedef struct {
+    double q[4]; /* attitude quaternion q_nb: w, x, y, z; body to navigation */
+} picard_1_3_as_written_float64_state;
+
+/*
+ * Set the identity attitude and clear the history. Type of values: double.
+ *
+ * The attitude is the identity; history and residual are empty.
+ */
+void picard_1_3_as_written_float64_init(picard_1_3_as_written_float64_state *state);
+
+/*
+ * Set the attitude, normalised once, and clear the history. Type of values: double.
+ *
+ * q_nb: w, x, y, z, of unit length to within the format's rounding; body to navigation.
+ * One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are
+ *   cleared.
+ */
+void picard_1_3_as_written_float64_set_quaternion(picard_1_3_as_written_float64_state *state, const double q_nb[4]);
+
+/*
+ * Advance the attitude by one update. Type of values: double.
+ *
+ * dtheta: 1 x 3 values, dtheta[3*k + axis], sub-sample k = 0 first; rad, the integral of the body
+ *   rate over each sub-sample; sensor axes.
+ * Range: norm of each at most 0.10001. Beyond it accuracy is lost, nothing else.
+ * Truncation: none: no function is approximated. Rounding: not bounded.
+ * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
+ */
+void picard_1_3_as_written_float64_update(picard_1_3_as_written_float64_state *state, const double dtheta[3]);
+
+/*
+ * Give the attitude quaternion. Type of values: double.
+ *
+ * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 up to the drift of truncation and rounding, not
+ *   bounded.
+ */
+void picard_1_3_as_written_float64_quaternion(const picard_1_3_as_written_float64_state *state, double q_nb[4]);
+
+/*
+ * Give the direction cosine matrix. Type of values: double.
+ *
+ * c_nb: row major, v_n = C_nb v_b, of the attitude as quaternion() gives it.
+ */
+void picard_1_3_as_written_float64_dcm(const picard_1_3_as_written_float64_state *state, double c_nb[9]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,237 @@
+/* Generated, do not edit. Made by: qcone generate picard.toml --design picard_1_4_float32
+ *
+ * qcone 0.1.0, design picard_1_4_float32, SHA-256 of the design
+ * 80e3916ea6899db450ad16ef7ee4c1b67b7fb09c187d3cc06d3d2a836a08bba0
+ *
+ * algorithm:   picard-4, form factored, q' = q + q (x) (r - 1), renormalised on every update
+ * source:      cao (7), (8), (9)
+ * equation:    r = [a_c, a_s sigma], sigma = theta
+ * number:      float32, every operation rounded once
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
+ *              tree-vectorize
+ *
+ * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.10001 rad; beyond
+ *              it accuracy is lost, nothing else
+ * truncation:  none: no function is approximated
+ * rounding:    not bounded
+ *
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
+ * update as-written       30       0   17         8       0       0     0     0
+ * update shared           29       1   17         8       0       0     0     0
+ * update emitted          29       1   17         8       0       0     0     0
+ * dcm as-written           9       0    9         6       0       0     0     0
+ * dcm shared               9       0    9         6       0       0     0     0
+ * dcm emitted              9       0    9         6       0       0     0     0
+ *
+ * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
+ * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
+ * and sign of a NaN are unspecified.
+ *
+ * SPDX-License-Identifier: MIT-0
+ * The maker of the generator claims no rights in this file.
+ */
+#include "picard_1_4_float32.h"
+
+#if PICARD_1_4_FLOAT32_VERSION != 1
+#error "picard_1_4_float32.c and picard_1_4_float32.h are of different versions: generate both again"
+#endif
+
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+
+void picard_1_4_float32_init(picard_1_4_float32_state *state)
+{
+    state->q[0] = 1.0F;
+    state->q[1] = 0.0F;
+    state->q[2] = 0.0F;
+    state->q[3] = 0.0F;
+}
+
+void picard_1_4_float32_set_quaternion(picard_1_4_float32_state *state, const float q_nb[4])
+{
+    /* q_nb, read once */
+    const float q_nb_w = q_nb[0];
+    const float q_nb_x = q_nb[1];
+    const float q_nb_y = q_nb[2];
+    const float q_nb_z = q_nb[3];
+
+    /* q_square = |q|^2 */
+    const float q_square_1 = q_nb_w * q_nb_w;
+    const float q_square_2 = q_nb_x * q_nb_x;
+    const float q_square_3 = q_square_1 + q_square_2;
+    const float q_square_4 = q_nb_y * q_nb_y;
+    const float q_square_5 = q_square_3 + q_square_4;
+    const float q_square_6 = q_nb_z * q_nb_z;
+    const float q_square = q_square_5 + q_square_6;
+
+    /* e = (1 - |q|^2)/2 */
+    const float e_1 = 1.0F - q_square;
+    const float e = 0.5F * e_1;
+
+    /* q_next = q + e q */
+    const float q_next_w_1 = e * q_nb_w;
+    const float q_next_x_1 = e * q_nb_x;
+    const float q_next_y_1 = e * q_nb_y;
+    const float q_next_z_1 = e * q_nb_z;
+    const float q_next_w = q_nb_w + q_next_w_1;
+    const float q_next_x = q_nb_x + q_next_x_1;
+    const float q_next_y = q_nb_y + q_next_y_1;
+    const float q_next_z = q_nb_z + q_next_z_1;
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+}
+
+void picard_1_4_float32_update(picard_1_4_float32_state *state, const float dtheta[3])
+{
+    /* attitude and input */
+    const float q_w = state->q[0];
+    const float q_x = state->q[1];
+    const float q_y = state->q[2];
+    const float q_z = state->q[3];
+    const float dtheta_x = dtheta[0];
+    const float dtheta_y = dtheta[1];
+    const float dtheta_z = dtheta[2];
+
+    /* phi_square = |phi|^2 */
+    const float phi_square_1 = dtheta_x * dtheta_x;
+    const float phi_square_2 = dtheta_y * dtheta_y;
+    const float phi_square_3 = dtheta_z * dtheta_z;
+    const float phi_square_4 = phi_square_1 + phi_square_2;
+    const float phi_square = phi_square_4 + phi_square_3;
+
+    /* u = a_c - 1   [cao (9)] */
+    const float u_1 = 0.0026041667F /* 1/384 */ * phi_square;
+    const float u_2 = -0.125F + u_1;
+    const float u = phi_square * u_2;
+
+    /* s = a_s = 1/2 - |phi|^2/48   [cao (9)] */
+    const float s_1 = 0.020833334F /* 1/48 */ * phi_square;
+    const float s = 0.5F - s_1;
+
+    /* v = s phi   [cao (9)] */
+    const float v_x = s * dtheta_x;
+    const float v_y = s * dtheta_y;
+    const float v_z = s * dtheta_z;
+
+    /* q_square = |q|^2 */
+    const float q_square_1 = q_w * q_w;
+    const float q_square_2 = q_x * q_x;
+    const float q_square_3 = q_y * q_y;
+    const float q_square_4 = q_z * q_z;
+    const float q_square_5 = q_square_1 + q_square_2;
+    const float q_square_6 = q_square_5 + q_square_3;
+    const float q_square = q_square_6 + q_square_4;
+
+    /* e = (1 - |q|^2)/2   [renormalisation, folded into the scalar part] */
+    const float e_1 = 1.0F - q_square;
+    const float e = 0.5F * e_1;
+
+    /* a = u + e */
+    const float a = u + e;
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const float dq_w_1 = q_w * a;
+    const float dq_w_2 = q_x * v_x;
+    const float dq_w_3 = dq_w_1 - dq_w_2;
+    const float dq_w_4 = q_y * v_y;
+    const float dq_w_5 = dq_w_3 - dq_w_4;
+    const float dq_w_6 = q_z * v_z;
+    const float dq_w = dq_w_5 - dq_w_6;
+    const float dq_x_1 = q_w * v_x;
+    const float dq_x_2 = q_x * a;
+    const float dq_x_3 = dq_x_1 + dq_x_2;
+    const float dq_x_4 = q_y * v_z;
+    const float dq_x_5 = dq_x_3 + dq_x_4;
+    const float dq_x_6 = q_z * v_y;
+    const float dq_x = dq_x_5 - dq_x_6;
+    const float dq_y_1 = q_w * v_y;
+    const float dq_y_2 = q_y * a;
+    const float dq_y_3 = dq_y_1 + dq_y_2;
+    const float dq_y_4 = q_z * v_x;
+    const float dq_y_5 = dq_y_3 + dq_y_4;
+    const float dq_y_6 = q_x * v_z;
+    const float dq_y = dq_y_5 - dq_y_6;
+    const float dq_z_1 = q_w * v_z;
+    const float dq_z_2 = q_z * a;
+    const float dq_z_3 = dq_z_1 + dq_z_2;
+    const float dq_z_4 = q_x * v_y;
+    const float dq_z_5 = dq_z_3 + dq_z_4;
+    const float dq_z_6 = q_y * v_x;
+    const float dq_z = dq_z_5 - dq_z_6;
+
+    /* q_next = q + dq */
+    const float q_next_w = q_w + dq_w;
+    const float q_next_x = q_x + dq_x;
+    const float q_next_y = q_y + dq_y;
+    const float q_next_z = q_z + dq_z;
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+}
+
+void picard_1_4_float32_quaternion(const picard_1_4_float32_state *state, float q_nb[4])
+{
+    const float q_w = state->q[0];
+    const float q_x = state->q[1];
+    const float q_y = state->q[2];
+    const float q_z = state->q[3];
+    q_nb[0] = q_w;
+    q_nb[1] = q_x;
+    q_nb[2] = q_y;
+    q_nb[3] = q_z;
+}
+
+void picard_1_4_float32_dcm(const picard_1_4_float32_state *state, float c_nb[9])
+{
+    /* q, read once */
+    const float q_w = state->q[0];
+    const float q_x = state->q[1];
+    const float q_y = state->q[2];
+    const float q_z = state->q[3];
+
+    /* zz = 2 q_z q_z; wx, wy, ... likewise   [cao (15)] */
+    const float x2 = q_x + q_x;
+    const float y2 = q_y + q_y;
+    const float z2 = q_z + q_z;
+    const float wx = q_w * x2;
+    const float wy = q_w * y2;
+    const float wz = q_w * z2;
+    const float xx = q_x * x2;
+    const float xy = q_x * y2;
+    const float xz = q_x * z2;
+    const float yy = q_y * y2;
+    const float yz = q_y * z2;
+    const float zz = q_z * z2;
+
+    /* c_nb = C_nb(q)   [cao (15)] */
+    const float c_nb_11_1 = yy + zz;
+    const float c_nb_11 = 1.0F - c_nb_11_1;
+    const float c_nb_12 = xy - wz;
+    const float c_nb_13 = xz + wy;
+    const float c_nb_21 = xy + wz;
+    const float c_nb_22_1 = xx + zz;
+    const float c_nb_22 = 1.0F - c_nb_22_1;
+    const float c_nb_23 = yz - wx;
+    const float c_nb_31 = xz - wy;
+    const float c_nb_32 = yz + wx;
+    const float c_nb_33_1 = xx + yy;
+    const float c_nb_33 = 1.0F - c_nb_33_1;
+
+    c_nb[0] = c_nb_11;
+    c_nb[1] = c_nb_12;
+    c_nb[2] = c_nb_13;
+    c_nb[3] = c_nb_21;
+    c_nb[4] = c_nb_22;
+    c_nb[5] = c_nb_23;
+    c_nb[6] = c_nb_31;
+    c_nb[7] = c_nb_32;
+    c_nb[8] = c_nb_33;
+}

@@ -1,0 +1,111 @@
+/* Generated, do not edit. Made by: qcone generate picard.toml --design picard_1_4_float32
+ *
+ * qcone 0.1.0, design picard_1_4_float32, SHA-256 of the design
+ * 80e3916ea6899db450ad16ef7ee4c1b67b7fb09c187d3cc06d3d2a836a08bba0
+ *
+ * algorithm:   picard-4, form factored, q' = q + q (x) (r - 1), renormalised on every update
+ * source:      cao (7), (8), (9)
+ * equation:    r = [a_c, a_s sigma], sigma = theta
+ * number:      float32, every operation rounded once
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
+ *              tree-vectorize
+ *
+ * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.10001 rad; beyond
+ *              it accuracy is lost, nothing else
+ * truncation:  none: no function is approximated
+ * rounding:    not bounded
+ *
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
+ * update as-written       30       0   17         8       0       0     0     0
+ * update shared           29       1   17         8       0       0     0     0
+ * update emitted          29       1   17         8       0       0     0     0
+ * dcm as-written           9       0    9         6       0       0     0     0
+ * dcm shared               9       0    9         6       0       0     0     0
+ * dcm emitted              9       0    9         6       0       0     0     0
+ *
+ * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
+ * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
+ * and sign of a NaN are unspecified.
+ *
+ * SPDX-License-Identifier: MIT-0
+ * The maker of the generator claims no rights in this file.
+ */
+#ifndef PICARD_1_4_FLOAT32_H
+#define PICARD_1_4_FLOAT32_H
+
+#include <float.h>
+
+#ifdef __FAST_MATH__
+#error "picard_1_4_float32: compile without -ffast-math: the order of operations is part of the result"
+#endif
+#if !defined(FLT_EVAL_METHOD) || (FLT_EVAL_METHOD != 0)
+#error "picard_1_4_float32: needs FLT_EVAL_METHOD 0: every operation rounded to its own type"
+#endif
+#if (FLT_RADIX != 2) || (FLT_MANT_DIG != 24)
+#error "picard_1_4_float32: needs the binary formats of IEEE 754"
+#endif
+
+/* Interface of the emitted code; companions check it. */
+#define PICARD_1_4_FLOAT32_VERSION 1
+/* Samples handed to one update. */
+#define PICARD_1_4_FLOAT32_SUBSAMPLES 1
+/* Time of one update in seconds. */
+#define PICARD_1_4_FLOAT32_INTERVAL_S 0.01F
+/* Initialiser of a state: what init() sets. */
+#define PICARD_1_4_FLOAT32_STATE_INIT { { 1.0F, 0.0F, 0.0F, 0.0F } }
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The state of one attitude; its members are private. */
+typedef struct {
+    float q[4]; /* attitude quaternion q_nb: w, x, y, z; body to navigation */
+} picard_1_4_float32_state;
+
+/*
+ * Set the identity attitude and clear the history. Type of values: float.
+ *
+ * The attitude is the identity; history and residual are empty.
+ */
+void picard_1_4_float32_init(picard_1_4_float32_state *state);
+
+/*
+ * Set the attitude, normalised once, and clear the history. Type of values: float.
+ *
+ * q_nb: w, x, y, z, of unit length to within the format's rounding; body to navigation.
+ * One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are
+ *   cleared.
+ */
+void picard_1_4_float32_set_quaternion(picard_1_4_float32_state *state, const float q_nb[4]);
+
+/*
+ * Advance the attitude by one update. Type of values: float.
+ *
+ * dtheta: 1 x 3 values, dtheta[3*k + axis], sub-sample k = 0 first; rad, the integral of the body
+ *   rate over each sub-sample; sensor axes.
+ * Range: norm of each at most 0.10001. Beyond it accuracy is lost, nothing else.
+ * Truncation: none: no function is approximated. Rounding: not bounded.
+ * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
+ */
+void picard_1_4_float32_update(picard_1_4_float32_state *state, const float dtheta[3]);
+
+/*
+ * Give the attitude quaternion. Type of values: float.
+ *
+ * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
+ */
+void picard_1_4_float32_quaternion(const picard_1_4_float32_state *state, float q_nb[4]);
+
+/*
+ * Give the direction cosine matrix. Type of values: float.
+ *
+ * c_nb: row major, v_n = C_nb v_b, of the attitude as quaternion() gives it.
+ */
+void picard_1_4_float32_dcm(const picard_1_4_float32_state *state, float c_nb[9]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

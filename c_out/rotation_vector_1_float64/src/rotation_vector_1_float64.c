@@ -1,0 +1,247 @@
+/* Generated, do not edit. Made by: qcone generate rotation_vector.toml --design rotation_vector_1_float64
+ *
+ * qcone 0.1.0, design rotation_vector_1_float64, SHA-256 of the design
+ * 7b007aa96990ecc21bd5bafc0b052892721976014e2d05d0a96c0d2abd03b12c
+ *
+ * algorithm:   rotation-vector-1, form factored, q' = q + q (x) (r - 1), renormalised on every
+ *              update
+ * source:      cao (8), (9)
+ * equation:    phi = theta
+ * number:      float64, every operation rounded once
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
+ *              tree-vectorize
+ *
+ * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.10001 rad; |phi|
+ *              <= 0.1001 rad; beyond it accuracy is lost, nothing else
+ * truncation:  minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
+ *              4.8e-22 (scalar), 3.5e-20 (vector), proved over the rationals
+ * rounding:    not bounded
+ *
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
+ * update as-written       34       0   22         7       0       0     0     0
+ * update shared           33       1   22         7       0       0     0     0
+ * update emitted          33       1   22         7       0       0     0     0
+ * dcm as-written           9       0    9         6       0       0     0     0
+ * dcm shared               9       0    9         6       0       0     0     0
+ * dcm emitted              9       0    9         6       0       0     0     0
+ *
+ * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
+ * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
+ * and sign of a NaN are unspecified.
+ *
+ * SPDX-License-Identifier: MIT-0
+ * The maker of the generator claims no rights in this file.
+ */
+#include "rotation_vector_1_float64.h"
+
+#if ROTATION_VECTOR_1_FLOAT64_VERSION != 1
+#error "rotation_vector_1_float64.c and rotation_vector_1_float64.h are of different versions: generate both again"
+#endif
+
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+
+void rotation_vector_1_float64_init(rotation_vector_1_float64_state *state)
+{
+    state->q[0] = 1.0;
+    state->q[1] = 0.0;
+    state->q[2] = 0.0;
+    state->q[3] = 0.0;
+}
+
+void rotation_vector_1_float64_set_quaternion(rotation_vector_1_float64_state *state, const double q_nb[4])
+{
+    /* q_nb, read once */
+    const double q_nb_w = q_nb[0];
+    const double q_nb_x = q_nb[1];
+    const double q_nb_y = q_nb[2];
+    const double q_nb_z = q_nb[3];
+
+    /* q_square = |q|^2 */
+    const double q_square_1 = q_nb_w * q_nb_w;
+    const double q_square_2 = q_nb_x * q_nb_x;
+    const double q_square_3 = q_square_1 + q_square_2;
+    const double q_square_4 = q_nb_y * q_nb_y;
+    const double q_square_5 = q_square_3 + q_square_4;
+    const double q_square_6 = q_nb_z * q_nb_z;
+    const double q_square = q_square_5 + q_square_6;
+
+    /* e = (1 - |q|^2)/2 */
+    const double e_1 = 1.0 - q_square;
+    const double e = 0.5 * e_1;
+
+    /* q_next = q + e q */
+    const double q_next_w_1 = e * q_nb_w;
+    const double q_next_x_1 = e * q_nb_x;
+    const double q_next_y_1 = e * q_nb_y;
+    const double q_next_z_1 = e * q_nb_z;
+    const double q_next_w = q_nb_w + q_next_w_1;
+    const double q_next_x = q_nb_x + q_next_x_1;
+    const double q_next_y = q_nb_y + q_next_y_1;
+    const double q_next_z = q_nb_z + q_next_z_1;
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+}
+
+void rotation_vector_1_float64_update(rotation_vector_1_float64_state *state, const double dtheta[3])
+{
+    /* attitude and input */
+    const double q_w = state->q[0];
+    const double q_x = state->q[1];
+    const double q_y = state->q[2];
+    const double q_z = state->q[3];
+    const double dtheta_x = dtheta[0];
+    const double dtheta_y = dtheta[1];
+    const double dtheta_z = dtheta[2];
+
+    /* phi_square = |phi|^2 */
+    const double phi_square_1 = dtheta_x * dtheta_x;
+    const double phi_square_2 = dtheta_y * dtheta_y;
+    const double phi_square_3 = dtheta_z * dtheta_z;
+    const double phi_square_4 = phi_square_1 + phi_square_2;
+    const double phi_square = phi_square_4 + phi_square_3;
+
+    /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
+    const double u_1 = phi_square * 9.687464943486236e-08 /* 1/10322618 */;
+    const double u_2 = -2.1701388833358846e-05 /* -8481/390804481 */ + u_1;
+    const double u_3 = phi_square * u_2;
+    const double u_4 = 0.002604166666666481 /* 36525707653/14025871738753 */ + u_3;
+    const double u_5 = phi_square * u_4;
+    const double u_6 = -0.125 /* -74250916685735193/594007333485881545 */ + u_5;
+    const double u = phi_square * u_6;
+
+    /* s = sin(|phi|/2)/|phi|, polynomial in |phi|^2   [cao (9)] */
+    const double s_1 = phi_square * -1.549988685082599e-06 /* -1/645166 */;
+    const double s_2 = 0.0002604166659598952 /* 95953/368459521 */ + s_1;
+    const double s_3 = phi_square * s_2;
+    const double s_4 = -0.02083333333333197 /* -317924524434/15260377172833 */ + s_3;
+    const double s_5 = phi_square * s_4;
+    const double s = 0.5 + s_5;
+
+    /* v = s phi   [cao (14)] */
+    const double v_x = s * dtheta_x;
+    const double v_y = s * dtheta_y;
+    const double v_z = s * dtheta_z;
+
+    /* q_square = |q|^2 */
+    const double q_square_1 = q_w * q_w;
+    const double q_square_2 = q_x * q_x;
+    const double q_square_3 = q_y * q_y;
+    const double q_square_4 = q_z * q_z;
+    const double q_square_5 = q_square_1 + q_square_2;
+    const double q_square_6 = q_square_5 + q_square_3;
+    const double q_square = q_square_6 + q_square_4;
+
+    /* e = (1 - |q|^2)/2   [renormalisation, folded into the scalar part] */
+    const double e_1 = 1.0 - q_square;
+    const double e = 0.5 * e_1;
+
+    /* a = u + e */
+    const double a = u + e;
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const double dq_w_1 = q_w * a;
+    const double dq_w_2 = q_x * v_x;
+    const double dq_w_3 = dq_w_1 - dq_w_2;
+    const double dq_w_4 = q_y * v_y;
+    const double dq_w_5 = dq_w_3 - dq_w_4;
+    const double dq_w_6 = q_z * v_z;
+    const double dq_w = dq_w_5 - dq_w_6;
+    const double dq_x_1 = q_w * v_x;
+    const double dq_x_2 = q_x * a;
+    const double dq_x_3 = dq_x_1 + dq_x_2;
+    const double dq_x_4 = q_y * v_z;
+    const double dq_x_5 = dq_x_3 + dq_x_4;
+    const double dq_x_6 = q_z * v_y;
+    const double dq_x = dq_x_5 - dq_x_6;
+    const double dq_y_1 = q_w * v_y;
+    const double dq_y_2 = q_y * a;
+    const double dq_y_3 = dq_y_1 + dq_y_2;
+    const double dq_y_4 = q_z * v_x;
+    const double dq_y_5 = dq_y_3 + dq_y_4;
+    const double dq_y_6 = q_x * v_z;
+    const double dq_y = dq_y_5 - dq_y_6;
+    const double dq_z_1 = q_w * v_z;
+    const double dq_z_2 = q_z * a;
+    const double dq_z_3 = dq_z_1 + dq_z_2;
+    const double dq_z_4 = q_x * v_y;
+    const double dq_z_5 = dq_z_3 + dq_z_4;
+    const double dq_z_6 = q_y * v_x;
+    const double dq_z = dq_z_5 - dq_z_6;
+
+    /* q_next = q + dq */
+    const double q_next_w = q_w + dq_w;
+    const double q_next_x = q_x + dq_x;
+    const double q_next_y = q_y + dq_y;
+    const double q_next_z = q_z + dq_z;
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+}
+
+void rotation_vector_1_float64_quaternion(const rotation_vector_1_float64_state *state, double q_nb[4])
+{
+    const double q_w = state->q[0];
+    const double q_x = state->q[1];
+    const double q_y = state->q[2];
+    const double q_z = state->q[3];
+    q_nb[0] = q_w;
+    q_nb[1] = q_x;
+    q_nb[2] = q_y;
+    q_nb[3] = q_z;
+}
+
+void rotation_vector_1_float64_dcm(const rotation_vector_1_float64_state *state, double c_nb[9])
+{
+    /* q, read once */
+    const double q_w = state->q[0];
+    const double q_x = state->q[1];
+    const double q_y = state->q[2];
+    const double q_z = state->q[3];
+
+    /* zz = 2 q_z q_z; wx, wy, ... likewise   [cao (15)] */
+    const double x2 = q_x + q_x;
+    const double y2 = q_y + q_y;
+    const double z2 = q_z + q_z;
+    const double wx = q_w * x2;
+    const double wy = q_w * y2;
+    const double wz = q_w * z2;
+    const double xx = q_x * x2;
+    const double xy = q_x * y2;
+    const double xz = q_x * z2;
+    const double yy = q_y * y2;
+    const double yz = q_y * z2;
+    const double zz = q_z * z2;
+
+    /* c_nb = C_nb(q)   [cao (15)] */
+    const double c_nb_11_1 = yy + zz;
+    const double c_nb_11 = 1.0 - c_nb_11_1;
+    const double c_nb_12 = xy - wz;
+    const double c_nb_13 = xz + wy;
+    const double c_nb_21 = xy + wz;
+    const double c_nb_22_1 = xx + zz;
+    const double c_nb_22 = 1.0 - c_nb_22_1;
+    const double c_nb_23 = yz - wx;
+    const double c_nb_31 = xz - wy;
+    const double c_nb_32 = yz + wx;
+    const double c_nb_33_1 = xx + yy;
+    const double c_nb_33 = 1.0 - c_nb_33_1;
+
+    c_nb[0] = c_nb_11;
+    c_nb[1] = c_nb_12;
+    c_nb[2] = c_nb_13;
+    c_nb[3] = c_nb_21;
+    c_nb[4] = c_nb_22;
+    c_nb[5] = c_nb_23;
+    c_nb[6] = c_nb_31;
+    c_nb[7] = c_nb_32;
+    c_nb[8] = c_nb_33;
+}

@@ -1,0 +1,1 @@
+"""Reports: rows laid out for people and for programs. No arithmetic."""

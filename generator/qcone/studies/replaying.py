@@ -1,0 +1,113 @@
+"""Replay: run the generated, compiled C of a design on recorded or simulated motion."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qcone import verify
+from qcone.backends.bittrue import dtype_of
+from qcone.bundle import Bundle
+from qcone.errors import CheckError, UsageError
+from qcone.studies.recording import Recording, Updates, split_updates
+from qcone.targets.compiler import first_compiler
+from qcone.vectors import GO_ON, SET, Vectors
+
+IDENTITY = (1.0, 0.0, 0.0, 0.0)
+LEVEL = "-O2"
+RATE_TOLERANCE = 0.01
+UNIT_TOLERANCE = 1e-3
+
+
+@dataclass(frozen=True)
+class Replay:
+    """The attitude after each update: `time_s` (n,), `q` (n, 4) as the C reports it, `notes` for the user."""
+
+    time_s: NDArray[np.float64]
+    q: NDArray[np.float64]
+    notes: tuple[str, ...]
+
+
+def replay(
+    bundle: Bundle,
+    recording: Recording,
+    initial: Sequence[float] = IDENTITY,
+    cc: str | None = None,
+    compare: bool = False,
+) -> Replay:
+    """Return the attitude along a recording, from the compiled C of `bundle`.
+
+    `initial` is the attitude at the start, of unit length to within 0.1 %. With `compare` every word of
+    every update is held against the bit-true model, and a difference raises CheckError. Raises UsageError when
+    the recording does not suit the design, MissingToolError when there is no compiler.
+    """
+    design = bundle.facts.design
+    _suits(bundle, recording)
+    updates = split_updates(recording, bundle.facts.algorithm.subsamples)
+    vectors = _vectors(bundle, updates, initial)
+    library = verify.open_library(bundle, first_compiler(cc), LEVEL)
+    words, contracted = verify.c_words(bundle, library, vectors)
+    notes = [*updates.notes]
+    if contracted:
+        notes.append("this build fuses products and sums: its bits are not the model's")
+    largest = float(np.sqrt((recording.values**2).sum(axis=1).max()))
+    declared = float(bundle.facts.known.rate if recording.kind == "rate" else bundle.facts.known.increment)
+    if largest > declared * (1 + 1e-9):
+        unit = "rad/s" if recording.kind == "rate" else "rad"
+        notes.append(
+            f"the recording reaches {largest:.4g} {unit}, design '{design.name}' declares {declared:.4g}: "
+            "accuracy is lost there"
+        )
+    if compare:
+        expected = verify.model_words(bundle, vectors)
+        differing = verify.differing_bits(words, expected)
+        if differing:
+            raise CheckError(f"{differing} bits differ: {verify.describe_first(bundle, vectors, words, expected)}")
+        notes.append(f"0 differing bits against the bit-true model in {vectors.rows} updates")
+    first = len(bundle.driver.state_words)
+    return Replay(updates.time_s, words[0, :, first : first + 4].astype(np.float64), tuple(notes))
+
+
+def _suits(bundle: Bundle, recording: Recording) -> None:
+    design = bundle.facts.design
+    wanted = "rate" if design.input == "rate" else "increment"
+    if recording.kind != wanted:
+        raise UsageError(
+            f"design '{design.name}' takes input = \"{design.input}\", the recording was read as {recording.kind}s"
+        )
+    expected = design.imu.update_hz * bundle.facts.algorithm.subsamples
+    if abs(recording.sample_hz / expected - 1) > RATE_TOLERANCE:
+        raise UsageError(
+            f"{recording.source}: {float(recording.sample_hz):.6g} samples a second, but design '{design.name}' "
+            f"is made for {float(expected):.6g}: resample with --resample {float(expected):.6g}, or change imu.update_hz"
+        )
+
+
+def _vectors(bundle: Bundle, updates: Updates, initial: Sequence[float]) -> Vectors:
+    dtype = dtype_of(bundle.facts.number)
+    start = np.asarray(initial, np.float64)
+    length = float(np.linalg.norm(start))
+    if start.shape != (4,) or not abs(length - 1) <= UNIT_TOLERANCE:
+        raise UsageError(f"--initial: w,x,y,z must be a unit quaternion, its length is {length:.6g}")
+    rows = len(updates.values)
+    restart = np.full((1, rows), GO_ON, np.int32)
+    restart[0, 0] = SET
+    attitude: NDArray[Any] = np.zeros((1, rows, 4), dtype)
+    attitude[0, 0] = start / length
+    before = np.zeros((1, rows, 3), dtype)
+    if updates.start is not None:
+        before[0, 0] = updates.start
+    return Vectors(restart, attitude, before, updates.values.reshape(1, rows, -1).astype(dtype))
+
+
+def angles_between(p: NDArray[np.float64], q: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the angle in rad between attitudes row by row, (n, 4) each; good to the last digit when small."""
+    p = p / np.linalg.norm(p, axis=1, keepdims=True)
+    q = q / np.linalg.norm(q, axis=1, keepdims=True)
+    near = np.linalg.norm(p - q * np.where((p * q).sum(axis=1) < 0, -1, 1)[:, None], axis=1)
+    angle: NDArray[np.float64] = 4 * np.arcsin(np.minimum(near / 2, 1))
+    return angle
