@@ -161,6 +161,7 @@ def verify(
 ) -> None:
     """Compare the compiled C with the bit-true model, bit for bit."""
     from qcone.studies.selection import designs_of
+    from qcone.studies.verifying import verify_designs
 
     outcomes = list(verify_designs(_shown(designs_of(files, names), "verifying"), target, rows, cc, cflags, seed))
     _print("verify", [outcome.row for outcome in outcomes], layout)

@@ -14,8 +14,8 @@ from qcone.ir.statement import SUFFIXES, Call, Loop, Operation, Place, Routine, 
 C_KEYWORDS = frozenset(
     """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
-    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while asm bool true false
-    class new delete this template namespace operator private public protected try catch
+    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while asm bool true
+    false class new delete this template namespace operator private public protected try catch
     """.split()  # noqa: SIM905  a list of words is read more easily as words
 )
 """Words that are no identifiers in C or C++."""

@@ -83,7 +83,7 @@ def _suits(bundle: Bundle, recording: Recording) -> None:
     if abs(recording.sample_hz / expected - 1) > RATE_TOLERANCE:
         raise UsageError(
             f"{recording.source}: {float(recording.sample_hz):.6g} samples a second, but design '{design.name}' "
-            f"is made for {float(expected):.6g}: resample with --resample {float(expected):.6g}, or change imu.update_hz"
+            f"is made for {float(expected):.6g}: resample with --resample {float(expected):.6g}, or change update_hz"
         )
 
 
