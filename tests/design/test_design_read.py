@@ -86,6 +86,10 @@ def test_every_key_but_four_has_a_default(tmp_path: Path) -> None:
     )
 
 
+def test_parameters_are_sorted_by_name(tmp_path: Path) -> None:
+    assert list(_read(tmp_path, GOOD)[0].parameters) == ["coefficients", "previous", "subsamples"]
+
+
 def test_every_key_is_read(tmp_path: Path) -> None:
     (design,) = _read(tmp_path, FULL)
     assert design == Design(

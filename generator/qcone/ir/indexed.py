@@ -81,7 +81,7 @@ def table(name: str, like: Quantity, entries: Sequence[Number]) -> Table:
 
 
 def loop(counter: str, like: Quantity, first: Index | int, last: Index | int) -> Iterator[Any]:
-    """Count from `first` to `last`, both included, as in `for n in loop("n", q, 1, 10)`.
+    """Count from one number to another, both included: `for n in loop("n", q, 1, 10)`.
 
     Rolled, the body runs once with a symbolic counter and becomes a C loop; otherwise it runs for every
     number and is written out. The operations and their order are the same.
