@@ -97,3 +97,18 @@ def test_windows_line_ends_do_not_move_the_lines(tmp_path: Path) -> None:
         "bad.toml:14: error QC102",
         "bad.toml:15: error QC106",
     ]
+
+
+C99_KEYWORDS = """
+auto break case char const continue default do double else enum extern float for goto if inline int long
+register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+"""
+
+
+def test_no_keyword_of_c99_names_a_design(tmp_path: Path) -> None:
+    words = C99_KEYWORDS.split()
+    assert len(words) == 34
+    text = "\n".join(GOOD.replace("design.att", f"design.{word}") for word in words)
+    assert [message.split(": ", 1)[1] for message in messages(tmp_path, text)] == [
+        f'error QC110: "{word}" cannot name a design, it is a C keyword, write for example {word}_1' for word in words
+    ]

@@ -48,7 +48,8 @@ void picard_1_3_as_written_float64_init(picard_1_3_as_written_float64_state *sta
     state->q[3] = 0.0;
 }
 
-void picard_1_3_as_written_float64_set_quaternion(picard_1_3_as_written_float64_state *state, const double q_nb[4])
+void picard_1_3_as_written_float64_set_quaternion(
+    picard_1_3_as_written_float64_state *state, const double q_nb[4])
 {
     /* q_nb, read once */
     const double q_nb_w = q_nb[0];
@@ -86,7 +87,8 @@ void picard_1_3_as_written_float64_set_quaternion(picard_1_3_as_written_float64_
     state->q[3] = q_next_z;
 }
 
-void picard_1_3_as_written_float64_update(picard_1_3_as_written_float64_state *state, const double dtheta[3])
+void picard_1_3_as_written_float64_update(
+    picard_1_3_as_written_float64_state *state, const double dtheta[3])
 {
     /* attitude and input */
     const double q_w = state->q[0];
@@ -156,7 +158,8 @@ void picard_1_3_as_written_float64_update(picard_1_3_as_written_float64_state *s
     state->q[3] = q_next_z;
 }
 
-void picard_1_3_as_written_float64_quaternion(const picard_1_3_as_written_float64_state *state, double q_nb[4])
+void picard_1_3_as_written_float64_quaternion(
+    const picard_1_3_as_written_float64_state *state, double q_nb[4])
 {
     const double q_w = state->q[0];
     const double q_x = state->q[1];

@@ -77,7 +77,8 @@ void picard_1_3_as_written_float64_init(picard_1_3_as_written_float64_state *sta
  * One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are
  *   cleared.
  */
-void picard_1_3_as_written_float64_set_quaternion(picard_1_3_as_written_float64_state *state, const double q_nb[4]);
+void picard_1_3_as_written_float64_set_quaternion(
+    picard_1_3_as_written_float64_state *state, const double q_nb[4]);
 
 /*
  * Advance the attitude by one update. Type of values: double.
@@ -88,7 +89,8 @@ void picard_1_3_as_written_float64_set_quaternion(picard_1_3_as_written_float64_
  * Truncation: none: no function is approximated. Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
-void picard_1_3_as_written_float64_update(picard_1_3_as_written_float64_state *state, const double dtheta[3]);
+void picard_1_3_as_written_float64_update(
+    picard_1_3_as_written_float64_state *state, const double dtheta[3]);
 
 /*
  * Give the attitude quaternion. Type of values: double.
@@ -96,7 +98,8 @@ void picard_1_3_as_written_float64_update(picard_1_3_as_written_float64_state *s
  * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 up to the drift of truncation and rounding, not
  *   bounded.
  */
-void picard_1_3_as_written_float64_quaternion(const picard_1_3_as_written_float64_state *state, double q_nb[4]);
+void picard_1_3_as_written_float64_quaternion(
+    const picard_1_3_as_written_float64_state *state, double q_nb[4]);
 
 /*
  * Give the direction cosine matrix. Type of values: double.

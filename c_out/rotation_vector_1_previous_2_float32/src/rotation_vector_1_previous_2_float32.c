@@ -60,7 +60,8 @@ void rotation_vector_1_previous_2_float32_init(rotation_vector_1_previous_2_floa
     state->count = 0.0F;
 }
 
-void rotation_vector_1_previous_2_float32_set_quaternion(rotation_vector_1_previous_2_float32_state *state, const float q_nb[4])
+void rotation_vector_1_previous_2_float32_set_quaternion(
+    rotation_vector_1_previous_2_float32_state *state, const float q_nb[4])
 {
     /* q_nb, read once */
     const float q_nb_w = q_nb[0];
@@ -105,7 +106,8 @@ void rotation_vector_1_previous_2_float32_set_quaternion(rotation_vector_1_previ
     state->count = 0.0F;
 }
 
-static void rotation_vector_1_previous_2_float32_start_up(rotation_vector_1_previous_2_float32_state *state, const float dtheta[3])
+static void rotation_vector_1_previous_2_float32_start_up(
+    rotation_vector_1_previous_2_float32_state *state, const float dtheta[3])
 {
     /* attitude and input */
     const float q_w = state->q[0];
@@ -208,7 +210,8 @@ static void rotation_vector_1_previous_2_float32_start_up(rotation_vector_1_prev
     state->count = state->count + 1;
 }
 
-static void rotation_vector_1_previous_2_float32_steady(rotation_vector_1_previous_2_float32_state *state, const float dtheta[3])
+static void rotation_vector_1_previous_2_float32_steady(
+    rotation_vector_1_previous_2_float32_state *state, const float dtheta[3])
 {
     /* attitude and input */
     const float q_w = state->q[0];
@@ -340,7 +343,8 @@ static void rotation_vector_1_previous_2_float32_steady(rotation_vector_1_previo
     state->previous[5] = previous1_z;
 }
 
-void rotation_vector_1_previous_2_float32_update(rotation_vector_1_previous_2_float32_state *state, const float dtheta[3])
+void rotation_vector_1_previous_2_float32_update(
+    rotation_vector_1_previous_2_float32_state *state, const float dtheta[3])
 {
     /* the history is full after 2 updates */
     if (state->count < 2) {
@@ -350,7 +354,8 @@ void rotation_vector_1_previous_2_float32_update(rotation_vector_1_previous_2_fl
     }
 }
 
-void rotation_vector_1_previous_2_float32_quaternion(const rotation_vector_1_previous_2_float32_state *state, float q_nb[4])
+void rotation_vector_1_previous_2_float32_quaternion(
+    const rotation_vector_1_previous_2_float32_state *state, float q_nb[4])
 {
     const float q_w = state->q[0];
     const float q_x = state->q[1];
@@ -362,7 +367,8 @@ void rotation_vector_1_previous_2_float32_quaternion(const rotation_vector_1_pre
     q_nb[3] = q_z;
 }
 
-void rotation_vector_1_previous_2_float32_dcm(const rotation_vector_1_previous_2_float32_state *state, float c_nb[9])
+void rotation_vector_1_previous_2_float32_dcm(
+    const rotation_vector_1_previous_2_float32_state *state, float c_nb[9])
 {
     /* q, read once */
     const float q_w = state->q[0];

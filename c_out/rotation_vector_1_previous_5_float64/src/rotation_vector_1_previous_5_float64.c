@@ -70,7 +70,8 @@ void rotation_vector_1_previous_5_float64_init(rotation_vector_1_previous_5_floa
     state->count = 0.0;
 }
 
-void rotation_vector_1_previous_5_float64_set_quaternion(rotation_vector_1_previous_5_float64_state *state, const double q_nb[4])
+void rotation_vector_1_previous_5_float64_set_quaternion(
+    rotation_vector_1_previous_5_float64_state *state, const double q_nb[4])
 {
     /* q_nb, read once */
     const double q_nb_w = q_nb[0];
@@ -124,7 +125,8 @@ void rotation_vector_1_previous_5_float64_set_quaternion(rotation_vector_1_previ
     state->count = 0.0;
 }
 
-static void rotation_vector_1_previous_5_float64_start_up(rotation_vector_1_previous_5_float64_state *state, const double dtheta[3])
+static void rotation_vector_1_previous_5_float64_start_up(
+    rotation_vector_1_previous_5_float64_state *state, const double dtheta[3])
 {
     /* attitude and input */
     const double q_w = state->q[0];
@@ -253,7 +255,8 @@ static void rotation_vector_1_previous_5_float64_start_up(rotation_vector_1_prev
     state->count = state->count + 1;
 }
 
-static void rotation_vector_1_previous_5_float64_steady(rotation_vector_1_previous_5_float64_state *state, const double dtheta[3])
+static void rotation_vector_1_previous_5_float64_steady(
+    rotation_vector_1_previous_5_float64_state *state, const double dtheta[3])
 {
     /* attitude and input */
     const double q_w = state->q[0];
@@ -429,7 +432,8 @@ static void rotation_vector_1_previous_5_float64_steady(rotation_vector_1_previo
     state->previous[14] = previous4_z;
 }
 
-void rotation_vector_1_previous_5_float64_update(rotation_vector_1_previous_5_float64_state *state, const double dtheta[3])
+void rotation_vector_1_previous_5_float64_update(
+    rotation_vector_1_previous_5_float64_state *state, const double dtheta[3])
 {
     /* the history is full after 5 updates */
     if (state->count < 5) {
@@ -439,7 +443,8 @@ void rotation_vector_1_previous_5_float64_update(rotation_vector_1_previous_5_fl
     }
 }
 
-void rotation_vector_1_previous_5_float64_quaternion(const rotation_vector_1_previous_5_float64_state *state, double q_nb[4])
+void rotation_vector_1_previous_5_float64_quaternion(
+    const rotation_vector_1_previous_5_float64_state *state, double q_nb[4])
 {
     const double q_w = state->q[0];
     const double q_x = state->q[1];
@@ -451,7 +456,8 @@ void rotation_vector_1_previous_5_float64_quaternion(const rotation_vector_1_pre
     q_nb[3] = q_z;
 }
 
-void rotation_vector_1_previous_5_float64_dcm(const rotation_vector_1_previous_5_float64_state *state, double c_nb[9])
+void rotation_vector_1_previous_5_float64_dcm(
+    const rotation_vector_1_previous_5_float64_state *state, double c_nb[9])
 {
     /* q, read once */
     const double q_w = state->q[0];

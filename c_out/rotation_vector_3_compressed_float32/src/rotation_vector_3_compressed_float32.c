@@ -5,7 +5,7 @@
  *
  * algorithm:   rotation-vector-3-compressed, form factored, q' = q + q (x) (r - 1), renormalised
  *              on every update
- * source:      math T4, cao (14)
+ * source:      ignagni1990 compressed coning, derived here, cao (14)
  * equation:    phi = theta_1 + theta_2 + theta_3 + (9/20 theta_1 + 27/20 theta_2) x theta_3
  * number:      float32, every operation rounded once
  * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
@@ -50,7 +50,8 @@ void rotation_vector_3_compressed_float32_init(rotation_vector_3_compressed_floa
     state->q[3] = 0.0F;
 }
 
-void rotation_vector_3_compressed_float32_set_quaternion(rotation_vector_3_compressed_float32_state *state, const float q_nb[4])
+void rotation_vector_3_compressed_float32_set_quaternion(
+    rotation_vector_3_compressed_float32_state *state, const float q_nb[4])
 {
     /* q_nb, read once */
     const float q_nb_w = q_nb[0];
@@ -88,7 +89,8 @@ void rotation_vector_3_compressed_float32_set_quaternion(rotation_vector_3_compr
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_3_compressed_float32_update(rotation_vector_3_compressed_float32_state *state, const float dtheta[9])
+void rotation_vector_3_compressed_float32_update(
+    rotation_vector_3_compressed_float32_state *state, const float dtheta[9])
 {
     /* attitude and input */
     const float q_w = state->q[0];
@@ -115,7 +117,7 @@ void rotation_vector_3_compressed_float32_update(rotation_vector_3_compressed_fl
     const float S_y = s_y + dtheta2_y;
     const float S_z = s_z + dtheta2_z;
 
-    /* h = 9/20 theta_1 + 27/20 theta_2   [math T4] */
+    /* h = 9/20 theta_1 + 27/20 theta_2   [ignagni1990] */
     const float h_x_1 = 0.45F /* 9/20 */ * dtheta1_x;
     const float h_y_1 = 0.45F /* 9/20 */ * dtheta1_y;
     const float h_z_1 = 0.45F /* 9/20 */ * dtheta1_z;
@@ -126,7 +128,7 @@ void rotation_vector_3_compressed_float32_update(rotation_vector_3_compressed_fl
     const float h_y = h_y_1 + h_y_2;
     const float h_z = h_z_1 + h_z_2;
 
-    /* coning = h x theta_3   [math T4] */
+    /* coning = h x theta_3   [ignagni1990] */
     const float coning_x_1 = h_y * dtheta3_z;
     const float coning_x_2 = h_z * dtheta3_y;
     const float coning_x = coning_x_1 - coning_x_2;
@@ -137,7 +139,7 @@ void rotation_vector_3_compressed_float32_update(rotation_vector_3_compressed_fl
     const float coning_z_2 = h_y * dtheta3_x;
     const float coning_z = coning_z_1 - coning_z_2;
 
-    /* phi = S + coning   [math T4] */
+    /* phi = S + coning   [ignagni1990 compressed coning, derived here] */
     const float phi_x = S_x + coning_x;
     const float phi_y = S_y + coning_y;
     const float phi_z = S_z + coning_z;
@@ -222,7 +224,8 @@ void rotation_vector_3_compressed_float32_update(rotation_vector_3_compressed_fl
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_3_compressed_float32_quaternion(const rotation_vector_3_compressed_float32_state *state, float q_nb[4])
+void rotation_vector_3_compressed_float32_quaternion(
+    const rotation_vector_3_compressed_float32_state *state, float q_nb[4])
 {
     const float q_w = state->q[0];
     const float q_x = state->q[1];
@@ -234,7 +237,8 @@ void rotation_vector_3_compressed_float32_quaternion(const rotation_vector_3_com
     q_nb[3] = q_z;
 }
 
-void rotation_vector_3_compressed_float32_dcm(const rotation_vector_3_compressed_float32_state *state, float c_nb[9])
+void rotation_vector_3_compressed_float32_dcm(
+    const rotation_vector_3_compressed_float32_state *state, float c_nb[9])
 {
     /* q, read once */
     const float q_w = state->q[0];

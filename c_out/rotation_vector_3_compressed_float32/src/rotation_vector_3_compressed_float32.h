@@ -5,7 +5,7 @@
  *
  * algorithm:   rotation-vector-3-compressed, form factored, q' = q + q (x) (r - 1), renormalised
  *              on every update
- * source:      math T4, cao (14)
+ * source:      ignagni1990 compressed coning, derived here, cao (14)
  * equation:    phi = theta_1 + theta_2 + theta_3 + (9/20 theta_1 + 27/20 theta_2) x theta_3
  * number:      float32, every operation rounded once
  * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
@@ -79,7 +79,8 @@ void rotation_vector_3_compressed_float32_init(rotation_vector_3_compressed_floa
  * One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are
  *   cleared.
  */
-void rotation_vector_3_compressed_float32_set_quaternion(rotation_vector_3_compressed_float32_state *state, const float q_nb[4]);
+void rotation_vector_3_compressed_float32_set_quaternion(
+    rotation_vector_3_compressed_float32_state *state, const float q_nb[4]);
 
 /*
  * Advance the attitude by one update. Type of values: float.
@@ -91,21 +92,24 @@ void rotation_vector_3_compressed_float32_set_quaternion(rotation_vector_3_compr
  *   1.1e-12 (scalar), 3.8e-10 (vector), proved over the rationals. Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
-void rotation_vector_3_compressed_float32_update(rotation_vector_3_compressed_float32_state *state, const float dtheta[9]);
+void rotation_vector_3_compressed_float32_update(
+    rotation_vector_3_compressed_float32_state *state, const float dtheta[9]);
 
 /*
  * Give the attitude quaternion. Type of values: float.
  *
  * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
  */
-void rotation_vector_3_compressed_float32_quaternion(const rotation_vector_3_compressed_float32_state *state, float q_nb[4]);
+void rotation_vector_3_compressed_float32_quaternion(
+    const rotation_vector_3_compressed_float32_state *state, float q_nb[4]);
 
 /*
  * Give the direction cosine matrix. Type of values: float.
  *
  * c_nb: row major, v_n = C_nb v_b, of the attitude as quaternion() gives it.
  */
-void rotation_vector_3_compressed_float32_dcm(const rotation_vector_3_compressed_float32_state *state, float c_nb[9]);
+void rotation_vector_3_compressed_float32_dcm(
+    const rotation_vector_3_compressed_float32_state *state, float c_nb[9]);
 
 #ifdef __cplusplus
 }

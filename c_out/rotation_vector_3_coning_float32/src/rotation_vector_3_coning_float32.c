@@ -51,7 +51,8 @@ void rotation_vector_3_coning_float32_init(rotation_vector_3_coning_float32_stat
     state->q[3] = 0.0F;
 }
 
-void rotation_vector_3_coning_float32_set_quaternion(rotation_vector_3_coning_float32_state *state, const float q_nb[4])
+void rotation_vector_3_coning_float32_set_quaternion(
+    rotation_vector_3_coning_float32_state *state, const float q_nb[4])
 {
     /* q_nb, read once */
     const float q_nb_w = q_nb[0];
@@ -89,7 +90,8 @@ void rotation_vector_3_coning_float32_set_quaternion(rotation_vector_3_coning_fl
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_3_coning_float32_update(rotation_vector_3_coning_float32_state *state, const float dtheta[9])
+void rotation_vector_3_coning_float32_update(
+    rotation_vector_3_coning_float32_state *state, const float dtheta[9])
 {
     /* attitude and input */
     const float q_w = state->q[0];
@@ -230,7 +232,8 @@ void rotation_vector_3_coning_float32_update(rotation_vector_3_coning_float32_st
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_3_coning_float32_quaternion(const rotation_vector_3_coning_float32_state *state, float q_nb[4])
+void rotation_vector_3_coning_float32_quaternion(
+    const rotation_vector_3_coning_float32_state *state, float q_nb[4])
 {
     const float q_w = state->q[0];
     const float q_x = state->q[1];
@@ -242,7 +245,8 @@ void rotation_vector_3_coning_float32_quaternion(const rotation_vector_3_coning_
     q_nb[3] = q_z;
 }
 
-void rotation_vector_3_coning_float32_dcm(const rotation_vector_3_coning_float32_state *state, float c_nb[9])
+void rotation_vector_3_coning_float32_dcm(
+    const rotation_vector_3_coning_float32_state *state, float c_nb[9])
 {
     /* q, read once */
     const float q_w = state->q[0];

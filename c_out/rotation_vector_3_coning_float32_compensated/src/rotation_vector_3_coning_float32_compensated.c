@@ -43,7 +43,8 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-void rotation_vector_3_coning_float32_compensated_init(rotation_vector_3_coning_float32_compensated_state *state)
+void rotation_vector_3_coning_float32_compensated_init(
+    rotation_vector_3_coning_float32_compensated_state *state)
 {
     state->q[0] = 1.0F;
     state->q[1] = 0.0F;
@@ -55,7 +56,8 @@ void rotation_vector_3_coning_float32_compensated_init(rotation_vector_3_coning_
     state->residual[3] = 0.0F;
 }
 
-void rotation_vector_3_coning_float32_compensated_set_quaternion(rotation_vector_3_coning_float32_compensated_state *state, const float q_nb[4])
+void rotation_vector_3_coning_float32_compensated_set_quaternion(
+    rotation_vector_3_coning_float32_compensated_state *state, const float q_nb[4])
 {
     /* q_nb, read once */
     const float q_nb_w = q_nb[0];
@@ -97,7 +99,8 @@ void rotation_vector_3_coning_float32_compensated_set_quaternion(rotation_vector
     state->residual[3] = 0.0F;
 }
 
-void rotation_vector_3_coning_float32_compensated_update(rotation_vector_3_coning_float32_compensated_state *state, const float dtheta[9])
+void rotation_vector_3_coning_float32_compensated_update(
+    rotation_vector_3_coning_float32_compensated_state *state, const float dtheta[9])
 {
     /* attitude and input */
     const float q_w = state->q[0];
@@ -260,7 +263,8 @@ void rotation_vector_3_coning_float32_compensated_update(rotation_vector_3_conin
     state->residual[3] = c_next_z;
 }
 
-void rotation_vector_3_coning_float32_compensated_quaternion(const rotation_vector_3_coning_float32_compensated_state *state, float q_nb[4])
+void rotation_vector_3_coning_float32_compensated_quaternion(
+    const rotation_vector_3_coning_float32_compensated_state *state, float q_nb[4])
 {
     const float state_w = state->q[0];
     const float residual_w = state->residual[0];
@@ -280,7 +284,8 @@ void rotation_vector_3_coning_float32_compensated_quaternion(const rotation_vect
     q_nb[3] = q_z;
 }
 
-void rotation_vector_3_coning_float32_compensated_dcm(const rotation_vector_3_coning_float32_compensated_state *state, float c_nb[9])
+void rotation_vector_3_coning_float32_compensated_dcm(
+    const rotation_vector_3_coning_float32_compensated_state *state, float c_nb[9])
 {
     /* q, read once */
     const float state_w = state->q[0];

@@ -43,7 +43,8 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-void rotation_vector_3_coning_float64_compensated_init(rotation_vector_3_coning_float64_compensated_state *state)
+void rotation_vector_3_coning_float64_compensated_init(
+    rotation_vector_3_coning_float64_compensated_state *state)
 {
     state->q[0] = 1.0;
     state->q[1] = 0.0;
@@ -55,7 +56,8 @@ void rotation_vector_3_coning_float64_compensated_init(rotation_vector_3_coning_
     state->residual[3] = 0.0;
 }
 
-void rotation_vector_3_coning_float64_compensated_set_quaternion(rotation_vector_3_coning_float64_compensated_state *state, const double q_nb[4])
+void rotation_vector_3_coning_float64_compensated_set_quaternion(
+    rotation_vector_3_coning_float64_compensated_state *state, const double q_nb[4])
 {
     /* q_nb, read once */
     const double q_nb_w = q_nb[0];
@@ -97,7 +99,8 @@ void rotation_vector_3_coning_float64_compensated_set_quaternion(rotation_vector
     state->residual[3] = 0.0;
 }
 
-void rotation_vector_3_coning_float64_compensated_update(rotation_vector_3_coning_float64_compensated_state *state, const double dtheta[9])
+void rotation_vector_3_coning_float64_compensated_update(
+    rotation_vector_3_coning_float64_compensated_state *state, const double dtheta[9])
 {
     /* attitude and input */
     const double q_w = state->q[0];
@@ -268,7 +271,8 @@ void rotation_vector_3_coning_float64_compensated_update(rotation_vector_3_conin
     state->residual[3] = c_next_z;
 }
 
-void rotation_vector_3_coning_float64_compensated_quaternion(const rotation_vector_3_coning_float64_compensated_state *state, double q_nb[4])
+void rotation_vector_3_coning_float64_compensated_quaternion(
+    const rotation_vector_3_coning_float64_compensated_state *state, double q_nb[4])
 {
     const double state_w = state->q[0];
     const double residual_w = state->residual[0];
@@ -288,7 +292,8 @@ void rotation_vector_3_coning_float64_compensated_quaternion(const rotation_vect
     q_nb[3] = q_z;
 }
 
-void rotation_vector_3_coning_float64_compensated_dcm(const rotation_vector_3_coning_float64_compensated_state *state, double c_nb[9])
+void rotation_vector_3_coning_float64_compensated_dcm(
+    const rotation_vector_3_coning_float64_compensated_state *state, double c_nb[9])
 {
     /* q, read once */
     const double state_w = state->q[0];

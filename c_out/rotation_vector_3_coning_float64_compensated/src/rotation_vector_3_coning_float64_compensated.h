@@ -72,7 +72,8 @@ typedef struct {
  *
  * The attitude is the identity; history and residual are empty.
  */
-void rotation_vector_3_coning_float64_compensated_init(rotation_vector_3_coning_float64_compensated_state *state);
+void rotation_vector_3_coning_float64_compensated_init(
+    rotation_vector_3_coning_float64_compensated_state *state);
 
 /*
  * Set the attitude, normalised once, and clear the history. Type of values: double.
@@ -81,7 +82,8 @@ void rotation_vector_3_coning_float64_compensated_init(rotation_vector_3_coning_
  * One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are
  *   cleared.
  */
-void rotation_vector_3_coning_float64_compensated_set_quaternion(rotation_vector_3_coning_float64_compensated_state *state, const double q_nb[4]);
+void rotation_vector_3_coning_float64_compensated_set_quaternion(
+    rotation_vector_3_coning_float64_compensated_state *state, const double q_nb[4]);
 
 /*
  * Advance the attitude by one update. Type of values: double.
@@ -93,21 +95,24 @@ void rotation_vector_3_coning_float64_compensated_set_quaternion(rotation_vector
  *   4.4e-22 (scalar), 4.1e-20 (vector), proved over the rationals. Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
-void rotation_vector_3_coning_float64_compensated_update(rotation_vector_3_coning_float64_compensated_state *state, const double dtheta[9]);
+void rotation_vector_3_coning_float64_compensated_update(
+    rotation_vector_3_coning_float64_compensated_state *state, const double dtheta[9]);
 
 /*
  * Give the attitude quaternion. Type of values: double.
  *
  * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
  */
-void rotation_vector_3_coning_float64_compensated_quaternion(const rotation_vector_3_coning_float64_compensated_state *state, double q_nb[4]);
+void rotation_vector_3_coning_float64_compensated_quaternion(
+    const rotation_vector_3_coning_float64_compensated_state *state, double q_nb[4]);
 
 /*
  * Give the direction cosine matrix. Type of values: double.
  *
  * c_nb: row major, v_n = C_nb v_b, of the attitude as quaternion() gives it.
  */
-void rotation_vector_3_coning_float64_compensated_dcm(const rotation_vector_3_coning_float64_compensated_state *state, double c_nb[9]);
+void rotation_vector_3_coning_float64_compensated_dcm(
+    const rotation_vector_3_coning_float64_compensated_state *state, double c_nb[9]);
 
 #ifdef __cplusplus
 }

@@ -50,7 +50,8 @@ void rotation_vector_3_coning_float64_standard_init(rotation_vector_3_coning_flo
     state->q[3] = 0.0;
 }
 
-void rotation_vector_3_coning_float64_standard_set_quaternion(rotation_vector_3_coning_float64_standard_state *state, const double q_nb[4])
+void rotation_vector_3_coning_float64_standard_set_quaternion(
+    rotation_vector_3_coning_float64_standard_state *state, const double q_nb[4])
 {
     /* q_nb, read once */
     const double q_nb_w = q_nb[0];
@@ -88,7 +89,8 @@ void rotation_vector_3_coning_float64_standard_set_quaternion(rotation_vector_3_
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_3_coning_float64_standard_update(rotation_vector_3_coning_float64_standard_state *state, const double dtheta[9])
+void rotation_vector_3_coning_float64_standard_update(
+    rotation_vector_3_coning_float64_standard_state *state, const double dtheta[9])
 {
     /* attitude and input */
     const double q_w = state->q[0];
@@ -232,7 +234,8 @@ void rotation_vector_3_coning_float64_standard_update(rotation_vector_3_coning_f
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_3_coning_float64_standard_quaternion(const rotation_vector_3_coning_float64_standard_state *state, double q_nb[4])
+void rotation_vector_3_coning_float64_standard_quaternion(
+    const rotation_vector_3_coning_float64_standard_state *state, double q_nb[4])
 {
     const double q_w = state->q[0];
     const double q_x = state->q[1];
@@ -244,7 +247,8 @@ void rotation_vector_3_coning_float64_standard_quaternion(const rotation_vector_
     q_nb[3] = q_z;
 }
 
-void rotation_vector_3_coning_float64_standard_dcm(const rotation_vector_3_coning_float64_standard_state *state, double c_nb[9])
+void rotation_vector_3_coning_float64_standard_dcm(
+    const rotation_vector_3_coning_float64_standard_state *state, double c_nb[9])
 {
     /* q, read once */
     const double q_w = state->q[0];

@@ -54,7 +54,8 @@ void rotation_vector_3_coning_rate_float32_init(rotation_vector_3_coning_rate_fl
     state->omega_last[2] = 0.0F;
 }
 
-void rotation_vector_3_coning_rate_float32_set_quaternion(rotation_vector_3_coning_rate_float32_state *state, const float q_nb[4])
+void rotation_vector_3_coning_rate_float32_set_quaternion(
+    rotation_vector_3_coning_rate_float32_state *state, const float q_nb[4])
 {
     /* q_nb, read once */
     const float q_nb_w = q_nb[0];
@@ -92,7 +93,8 @@ void rotation_vector_3_coning_rate_float32_set_quaternion(rotation_vector_3_coni
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_3_coning_rate_float32_start(rotation_vector_3_coning_rate_float32_state *state, const float omega[3])
+void rotation_vector_3_coning_rate_float32_start(
+    rotation_vector_3_coning_rate_float32_state *state, const float omega[3])
 {
     const float omega_x = omega[0];
     const float omega_y = omega[1];
@@ -102,7 +104,8 @@ void rotation_vector_3_coning_rate_float32_start(rotation_vector_3_coning_rate_f
     state->omega_last[2] = omega_z;
 }
 
-void rotation_vector_3_coning_rate_float32_update(rotation_vector_3_coning_rate_float32_state *state, const float omega[9])
+void rotation_vector_3_coning_rate_float32_update(
+    rotation_vector_3_coning_rate_float32_state *state, const float omega[9])
 {
     /* attitude and input */
     const float q_w = state->q[0];
@@ -124,7 +127,7 @@ void rotation_vector_3_coning_rate_float32_update(rotation_vector_3_coning_rate_
     const float omega_last_x = state->omega_last[1];
     const float omega_last_z = state->omega_last[2];
 
-    /* theta1 = T (1/8 w0 + 19/72 w1 - 5/72 w2 + 1/72 w3)   [math T7] */
+    /* theta1 = T (1/8 w0 + 19/72 w1 - 5/72 w2 + 1/72 w3)   [polynomial through all samples] */
     const float theta1_x_1 = 0.00041666668F /* 1/2400 */ * omega_last_x;
     const float theta1_y_negated_1 = 0.00041666668F /* 1/2400 */ * omega_last_y_negated;
     const float theta1_z_1 = 0.00041666668F /* 1/2400 */ * omega_last_z;
@@ -147,7 +150,7 @@ void rotation_vector_3_coning_rate_float32_update(rotation_vector_3_coning_rate_
     const float theta1_y_negated = theta1_y_negated_5 + theta1_y_negated_6;
     const float theta1_z = theta1_z_5 + theta1_z_6;
 
-    /* theta2 = T (- 1/72 w0 + 13/72 w1 + 13/72 w2 - 1/72 w3)   [math T7] */
+    /* theta2 = T (- 1/72 w0 + 13/72 w1 + 13/72 w2 - 1/72 w3)   [polynomial through all samples] */
     const float theta2_x_1 = -4.6296296e-05F /* -1/21600 */ * omega_last_x;
     const float theta2_y_negated_1 = -4.6296296e-05F /* -1/21600 */ * omega_last_y_negated;
     const float theta2_z_1 = -4.6296296e-05F /* -1/21600 */ * omega_last_z;
@@ -170,7 +173,7 @@ void rotation_vector_3_coning_rate_float32_update(rotation_vector_3_coning_rate_
     const float theta2_y_negated = theta2_y_negated_5 + theta2_y_negated_6;
     const float theta2_z = theta2_z_5 + theta2_z_6;
 
-    /* theta3 = T (1/72 w0 - 5/72 w1 + 19/72 w2 + 1/8 w3)   [math T7] */
+    /* theta3 = T (1/72 w0 - 5/72 w1 + 19/72 w2 + 1/8 w3)   [polynomial through all samples] */
     const float theta3_x_1 = 4.6296296e-05F /* 1/21600 */ * omega_last_x;
     const float theta3_y_negated_1 = 4.6296296e-05F /* 1/21600 */ * omega_last_y_negated;
     const float theta3_z_1 = 4.6296296e-05F /* 1/21600 */ * omega_last_z;
@@ -322,7 +325,8 @@ void rotation_vector_3_coning_rate_float32_update(rotation_vector_3_coning_rate_
     state->omega_last[2] = omega3_z;
 }
 
-void rotation_vector_3_coning_rate_float32_quaternion(const rotation_vector_3_coning_rate_float32_state *state, float q_nb[4])
+void rotation_vector_3_coning_rate_float32_quaternion(
+    const rotation_vector_3_coning_rate_float32_state *state, float q_nb[4])
 {
     const float q_w = state->q[0];
     const float q_x = state->q[1];
@@ -334,7 +338,8 @@ void rotation_vector_3_coning_rate_float32_quaternion(const rotation_vector_3_co
     q_nb[3] = q_z;
 }
 
-void rotation_vector_3_coning_rate_float32_dcm(const rotation_vector_3_coning_rate_float32_state *state, float c_nb[9])
+void rotation_vector_3_coning_rate_float32_dcm(
+    const rotation_vector_3_coning_rate_float32_state *state, float c_nb[9])
 {
     /* q, read once */
     const float q_w = state->q[0];

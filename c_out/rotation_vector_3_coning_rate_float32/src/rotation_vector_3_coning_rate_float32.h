@@ -81,14 +81,16 @@ void rotation_vector_3_coning_rate_float32_init(rotation_vector_3_coning_rate_fl
  * One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are
  *   cleared.
  */
-void rotation_vector_3_coning_rate_float32_set_quaternion(rotation_vector_3_coning_rate_float32_state *state, const float q_nb[4]);
+void rotation_vector_3_coning_rate_float32_set_quaternion(
+    rotation_vector_3_coning_rate_float32_state *state, const float q_nb[4]);
 
 /*
  * Take the rate sample at the start of the first update. Type of values: float.
  *
  * omega: rad/s, sensor axes. To be called once before the first update.
  */
-void rotation_vector_3_coning_rate_float32_start(rotation_vector_3_coning_rate_float32_state *state, const float omega[3]);
+void rotation_vector_3_coning_rate_float32_start(
+    rotation_vector_3_coning_rate_float32_state *state, const float omega[3]);
 
 /*
  * Advance the attitude by one update. Type of values: float.
@@ -101,21 +103,24 @@ void rotation_vector_3_coning_rate_float32_start(rotation_vector_3_coning_rate_f
  *   2e-11 (scalar), 6.4e-12 (vector), proved over the rationals. Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
-void rotation_vector_3_coning_rate_float32_update(rotation_vector_3_coning_rate_float32_state *state, const float omega[9]);
+void rotation_vector_3_coning_rate_float32_update(
+    rotation_vector_3_coning_rate_float32_state *state, const float omega[9]);
 
 /*
  * Give the attitude quaternion. Type of values: float.
  *
  * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
  */
-void rotation_vector_3_coning_rate_float32_quaternion(const rotation_vector_3_coning_rate_float32_state *state, float q_nb[4]);
+void rotation_vector_3_coning_rate_float32_quaternion(
+    const rotation_vector_3_coning_rate_float32_state *state, float q_nb[4]);
 
 /*
  * Give the direction cosine matrix. Type of values: float.
  *
  * c_nb: row major, v_n = C_nb v_b, of the attitude as quaternion() gives it.
  */
-void rotation_vector_3_coning_rate_float32_dcm(const rotation_vector_3_coning_rate_float32_state *state, float c_nb[9]);
+void rotation_vector_3_coning_rate_float32_dcm(
+    const rotation_vector_3_coning_rate_float32_state *state, float c_nb[9]);
 
 #ifdef __cplusplus
 }

@@ -80,7 +80,8 @@ void rotation_vector_3_taylor_float32_init(rotation_vector_3_taylor_float32_stat
  * One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are
  *   cleared.
  */
-void rotation_vector_3_taylor_float32_set_quaternion(rotation_vector_3_taylor_float32_state *state, const float q_nb[4]);
+void rotation_vector_3_taylor_float32_set_quaternion(
+    rotation_vector_3_taylor_float32_state *state, const float q_nb[4]);
 
 /*
  * Advance the attitude by one update. Type of values: float.
@@ -92,21 +93,24 @@ void rotation_vector_3_taylor_float32_set_quaternion(rotation_vector_3_taylor_fl
  *   1.1e-12 (scalar), 3.8e-10 (vector), proved over the rationals. Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
-void rotation_vector_3_taylor_float32_update(rotation_vector_3_taylor_float32_state *state, const float dtheta[9]);
+void rotation_vector_3_taylor_float32_update(
+    rotation_vector_3_taylor_float32_state *state, const float dtheta[9]);
 
 /*
  * Give the attitude quaternion. Type of values: float.
  *
  * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
  */
-void rotation_vector_3_taylor_float32_quaternion(const rotation_vector_3_taylor_float32_state *state, float q_nb[4]);
+void rotation_vector_3_taylor_float32_quaternion(
+    const rotation_vector_3_taylor_float32_state *state, float q_nb[4]);
 
 /*
  * Give the direction cosine matrix. Type of values: float.
  *
  * c_nb: row major, v_n = C_nb v_b, of the attitude as quaternion() gives it.
  */
-void rotation_vector_3_taylor_float32_dcm(const rotation_vector_3_taylor_float32_state *state, float c_nb[9]);
+void rotation_vector_3_taylor_float32_dcm(
+    const rotation_vector_3_taylor_float32_state *state, float c_nb[9]);
 
 #ifdef __cplusplus
 }

@@ -51,7 +51,8 @@ void rotation_vector_3_taylor_float64_init(rotation_vector_3_taylor_float64_stat
     state->q[3] = 0.0;
 }
 
-void rotation_vector_3_taylor_float64_set_quaternion(rotation_vector_3_taylor_float64_state *state, const double q_nb[4])
+void rotation_vector_3_taylor_float64_set_quaternion(
+    rotation_vector_3_taylor_float64_state *state, const double q_nb[4])
 {
     /* q_nb, read once */
     const double q_nb_w = q_nb[0];
@@ -89,7 +90,8 @@ void rotation_vector_3_taylor_float64_set_quaternion(rotation_vector_3_taylor_fl
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_3_taylor_float64_update(rotation_vector_3_taylor_float64_state *state, const double dtheta[9])
+void rotation_vector_3_taylor_float64_update(
+    rotation_vector_3_taylor_float64_state *state, const double dtheta[9])
 {
     /* attitude and input */
     const double q_w = state->q[0];
@@ -236,7 +238,8 @@ void rotation_vector_3_taylor_float64_update(rotation_vector_3_taylor_float64_st
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_3_taylor_float64_quaternion(const rotation_vector_3_taylor_float64_state *state, double q_nb[4])
+void rotation_vector_3_taylor_float64_quaternion(
+    const rotation_vector_3_taylor_float64_state *state, double q_nb[4])
 {
     const double q_w = state->q[0];
     const double q_x = state->q[1];
@@ -248,7 +251,8 @@ void rotation_vector_3_taylor_float64_quaternion(const rotation_vector_3_taylor_
     q_nb[3] = q_z;
 }
 
-void rotation_vector_3_taylor_float64_dcm(const rotation_vector_3_taylor_float64_state *state, double c_nb[9])
+void rotation_vector_3_taylor_float64_dcm(
+    const rotation_vector_3_taylor_float64_state *state, double c_nb[9])
 {
     /* q, read once */
     const double q_w = state->q[0];

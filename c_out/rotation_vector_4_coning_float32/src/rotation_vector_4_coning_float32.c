@@ -50,7 +50,8 @@ void rotation_vector_4_coning_float32_init(rotation_vector_4_coning_float32_stat
     state->q[3] = 0.0F;
 }
 
-void rotation_vector_4_coning_float32_set_quaternion(rotation_vector_4_coning_float32_state *state, const float q_nb[4])
+void rotation_vector_4_coning_float32_set_quaternion(
+    rotation_vector_4_coning_float32_state *state, const float q_nb[4])
 {
     /* q_nb, read once */
     const float q_nb_w = q_nb[0];
@@ -88,7 +89,8 @@ void rotation_vector_4_coning_float32_set_quaternion(rotation_vector_4_coning_fl
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_4_coning_float32_update(rotation_vector_4_coning_float32_state *state, const float dtheta[12])
+void rotation_vector_4_coning_float32_update(
+    rotation_vector_4_coning_float32_state *state, const float dtheta[12])
 {
     /* attitude and input */
     const float q_w = state->q[0];
@@ -267,7 +269,8 @@ void rotation_vector_4_coning_float32_update(rotation_vector_4_coning_float32_st
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_4_coning_float32_quaternion(const rotation_vector_4_coning_float32_state *state, float q_nb[4])
+void rotation_vector_4_coning_float32_quaternion(
+    const rotation_vector_4_coning_float32_state *state, float q_nb[4])
 {
     const float q_w = state->q[0];
     const float q_x = state->q[1];
@@ -279,7 +282,8 @@ void rotation_vector_4_coning_float32_quaternion(const rotation_vector_4_coning_
     q_nb[3] = q_z;
 }
 
-void rotation_vector_4_coning_float32_dcm(const rotation_vector_4_coning_float32_state *state, float c_nb[9])
+void rotation_vector_4_coning_float32_dcm(
+    const rotation_vector_4_coning_float32_state *state, float c_nb[9])
 {
     /* q, read once */
     const float q_w = state->q[0];

@@ -50,7 +50,8 @@ void rotation_vector_4_coning_float64_init(rotation_vector_4_coning_float64_stat
     state->q[3] = 0.0;
 }
 
-void rotation_vector_4_coning_float64_set_quaternion(rotation_vector_4_coning_float64_state *state, const double q_nb[4])
+void rotation_vector_4_coning_float64_set_quaternion(
+    rotation_vector_4_coning_float64_state *state, const double q_nb[4])
 {
     /* q_nb, read once */
     const double q_nb_w = q_nb[0];
@@ -88,7 +89,8 @@ void rotation_vector_4_coning_float64_set_quaternion(rotation_vector_4_coning_fl
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_4_coning_float64_update(rotation_vector_4_coning_float64_state *state, const double dtheta[12])
+void rotation_vector_4_coning_float64_update(
+    rotation_vector_4_coning_float64_state *state, const double dtheta[12])
 {
     /* attitude and input */
     const double q_w = state->q[0];
@@ -275,7 +277,8 @@ void rotation_vector_4_coning_float64_update(rotation_vector_4_coning_float64_st
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_4_coning_float64_quaternion(const rotation_vector_4_coning_float64_state *state, double q_nb[4])
+void rotation_vector_4_coning_float64_quaternion(
+    const rotation_vector_4_coning_float64_state *state, double q_nb[4])
 {
     const double q_w = state->q[0];
     const double q_x = state->q[1];
@@ -287,7 +290,8 @@ void rotation_vector_4_coning_float64_quaternion(const rotation_vector_4_coning_
     q_nb[3] = q_z;
 }
 
-void rotation_vector_4_coning_float64_dcm(const rotation_vector_4_coning_float64_state *state, double c_nb[9])
+void rotation_vector_4_coning_float64_dcm(
+    const rotation_vector_4_coning_float64_state *state, double c_nb[9])
 {
     /* q, read once */
     const double q_w = state->q[0];

@@ -79,7 +79,8 @@ void rotation_vector_4_coning_float64_init(rotation_vector_4_coning_float64_stat
  * One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are
  *   cleared.
  */
-void rotation_vector_4_coning_float64_set_quaternion(rotation_vector_4_coning_float64_state *state, const double q_nb[4]);
+void rotation_vector_4_coning_float64_set_quaternion(
+    rotation_vector_4_coning_float64_state *state, const double q_nb[4]);
 
 /*
  * Advance the attitude by one update. Type of values: double.
@@ -91,21 +92,24 @@ void rotation_vector_4_coning_float64_set_quaternion(rotation_vector_4_coning_fl
  *   3.9e-22 (scalar), 4.7e-20 (vector), proved over the rationals. Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
-void rotation_vector_4_coning_float64_update(rotation_vector_4_coning_float64_state *state, const double dtheta[12]);
+void rotation_vector_4_coning_float64_update(
+    rotation_vector_4_coning_float64_state *state, const double dtheta[12]);
 
 /*
  * Give the attitude quaternion. Type of values: double.
  *
  * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
  */
-void rotation_vector_4_coning_float64_quaternion(const rotation_vector_4_coning_float64_state *state, double q_nb[4]);
+void rotation_vector_4_coning_float64_quaternion(
+    const rotation_vector_4_coning_float64_state *state, double q_nb[4]);
 
 /*
  * Give the direction cosine matrix. Type of values: double.
  *
  * c_nb: row major, v_n = C_nb v_b, of the attitude as quaternion() gives it.
  */
-void rotation_vector_4_coning_float64_dcm(const rotation_vector_4_coning_float64_state *state, double c_nb[9]);
+void rotation_vector_4_coning_float64_dcm(
+    const rotation_vector_4_coning_float64_state *state, double c_nb[9]);
 
 #ifdef __cplusplus
 }

@@ -5,7 +5,7 @@
  *
  * algorithm:   rotation-vector-4-expanded, form factored, q' = q + q (x) (r - 1), renormalised on
  *              every update
- * source:      math T5, cao (14)
+ * source:      song2013 expanded coning, derived here, cao (14)
  * equation:    phi = theta_1 + theta_2 + theta_3 + theta_4 + sum k_ij theta_i x theta_j
  * number:      float64, every operation rounded once
  * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
@@ -50,7 +50,8 @@ void rotation_vector_4_expanded_float64_init(rotation_vector_4_expanded_float64_
     state->q[3] = 0.0;
 }
 
-void rotation_vector_4_expanded_float64_set_quaternion(rotation_vector_4_expanded_float64_state *state, const double q_nb[4])
+void rotation_vector_4_expanded_float64_set_quaternion(
+    rotation_vector_4_expanded_float64_state *state, const double q_nb[4])
 {
     /* q_nb, read once */
     const double q_nb_w = q_nb[0];
@@ -88,7 +89,8 @@ void rotation_vector_4_expanded_float64_set_quaternion(rotation_vector_4_expande
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_4_expanded_float64_update(rotation_vector_4_expanded_float64_state *state, const double dtheta[12])
+void rotation_vector_4_expanded_float64_update(
+    rotation_vector_4_expanded_float64_state *state, const double dtheta[12])
 {
     /* attitude and input */
     const double q_w = state->q[0];
@@ -133,7 +135,7 @@ void rotation_vector_4_expanded_float64_update(rotation_vector_4_expanded_float6
     const double S_y = s1_y + s2_y;
     const double S_z = s1_z + s2_z;
 
-    /* g1 = 9/35 s1 + 37/63 s2   [math T5] */
+    /* g1 = 9/35 s1 + 37/63 s2   [song2013 expanded coning, derived here] */
     const double g1_x_1 = 0.2571428571428571 /* 9/35 */ * s1_x;
     const double g1_y_1 = 0.2571428571428571 /* 9/35 */ * s1_y;
     const double g1_z_1 = 0.2571428571428571 /* 9/35 */ * s1_z;
@@ -144,7 +146,7 @@ void rotation_vector_4_expanded_float64_update(rotation_vector_4_expanded_float6
     const double g1_y = g1_y_1 + g1_y_2;
     const double g1_z = g1_z_1 + g1_z_2;
 
-    /* coning1 = g1 x d1   [math T5] */
+    /* coning1 = g1 x d1   [song2013 expanded coning, derived here] */
     const double coning1_x_1 = g1_y * d1_z;
     const double coning1_x_2 = g1_z * d1_y;
     const double coning1_x = coning1_x_1 - coning1_x_2;
@@ -155,7 +157,7 @@ void rotation_vector_4_expanded_float64_update(rotation_vector_4_expanded_float6
     const double coning1_z_2 = g1_y * d1_x;
     const double coning1_z = coning1_z_1 - coning1_z_2;
 
-    /* g2 = -47/315 s1 + 89/315 s2   [math T5] */
+    /* g2 = -47/315 s1 + 89/315 s2   [song2013 expanded coning, derived here] */
     const double g2_x_1 = -0.1492063492063492 /* -47/315 */ * s1_x;
     const double g2_y_1 = -0.1492063492063492 /* -47/315 */ * s1_y;
     const double g2_z_1 = -0.1492063492063492 /* -47/315 */ * s1_z;
@@ -166,7 +168,7 @@ void rotation_vector_4_expanded_float64_update(rotation_vector_4_expanded_float6
     const double g2_y = g2_y_1 + g2_y_2;
     const double g2_z = g2_z_1 + g2_z_2;
 
-    /* coning2 = g2 x d2   [math T5] */
+    /* coning2 = g2 x d2   [song2013 expanded coning, derived here] */
     const double coning2_x_1 = g2_y * d2_z;
     const double coning2_x_2 = g2_z * d2_y;
     const double coning2_x = coning2_x_1 - coning2_x_2;
@@ -177,12 +179,12 @@ void rotation_vector_4_expanded_float64_update(rotation_vector_4_expanded_float6
     const double coning2_z_2 = g2_y * d2_x;
     const double coning2_z = coning2_z_1 - coning2_z_2;
 
-    /* coning = coning1 + coning2   [math T5] */
+    /* coning = coning1 + coning2   [song2013 expanded coning, derived here] */
     const double coning_x = coning1_x + coning2_x;
     const double coning_y = coning1_y + coning2_y;
     const double coning_z = coning1_z + coning2_z;
 
-    /* phi = S + coning   [math T5] */
+    /* phi = S + coning   [song2013 expanded coning, derived here] */
     const double phi_x = S_x + coning_x;
     const double phi_y = S_y + coning_y;
     const double phi_z = S_z + coning_z;
@@ -275,7 +277,8 @@ void rotation_vector_4_expanded_float64_update(rotation_vector_4_expanded_float6
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_4_expanded_float64_quaternion(const rotation_vector_4_expanded_float64_state *state, double q_nb[4])
+void rotation_vector_4_expanded_float64_quaternion(
+    const rotation_vector_4_expanded_float64_state *state, double q_nb[4])
 {
     const double q_w = state->q[0];
     const double q_x = state->q[1];
@@ -287,7 +290,8 @@ void rotation_vector_4_expanded_float64_quaternion(const rotation_vector_4_expan
     q_nb[3] = q_z;
 }
 
-void rotation_vector_4_expanded_float64_dcm(const rotation_vector_4_expanded_float64_state *state, double c_nb[9])
+void rotation_vector_4_expanded_float64_dcm(
+    const rotation_vector_4_expanded_float64_state *state, double c_nb[9])
 {
     /* q, read once */
     const double q_w = state->q[0];

@@ -5,7 +5,7 @@
  *
  * algorithm:   rotation-vector-6-expanded, form factored, q' = q + q (x) (r - 1), renormalised on
  *              every update
- * source:      math T5, cao (14)
+ * source:      song2013 expanded coning, derived here, cao (14)
  * equation:    phi = theta_1 + theta_2 + theta_3 + theta_4 + theta_5 + theta_6 + sum k_ij theta_i
  *              x theta_j
  * number:      float64, every operation rounded once
@@ -51,7 +51,8 @@ void rotation_vector_6_expanded_float64_init(rotation_vector_6_expanded_float64_
     state->q[3] = 0.0;
 }
 
-void rotation_vector_6_expanded_float64_set_quaternion(rotation_vector_6_expanded_float64_state *state, const double q_nb[4])
+void rotation_vector_6_expanded_float64_set_quaternion(
+    rotation_vector_6_expanded_float64_state *state, const double q_nb[4])
 {
     /* q_nb, read once */
     const double q_nb_w = q_nb[0];
@@ -89,7 +90,8 @@ void rotation_vector_6_expanded_float64_set_quaternion(rotation_vector_6_expande
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_6_expanded_float64_update(rotation_vector_6_expanded_float64_state *state, const double dtheta[18])
+void rotation_vector_6_expanded_float64_update(
+    rotation_vector_6_expanded_float64_state *state, const double dtheta[18])
 {
     /* attitude and input */
     const double q_w = state->q[0];
@@ -153,7 +155,7 @@ void rotation_vector_6_expanded_float64_update(rotation_vector_6_expanded_float6
     const double S_y = S_y_1 + s3_y;
     const double S_z = S_z_1 + s3_z;
 
-    /* g1 = 463/1848 s1 + 62957/92400 s2 + 38963/92400 s3   [math T5] */
+    /* g1 = 463/1848 s1 + 62957/92400 s2 + 38963/92400 s3   [song2013 expanded coning, derived here] */
     const double g1_x_1 = 0.25054112554112556 /* 463/1848 */ * s1_x;
     const double g1_y_1 = 0.25054112554112556 /* 463/1848 */ * s1_y;
     const double g1_z_1 = 0.25054112554112556 /* 463/1848 */ * s1_z;
@@ -170,7 +172,7 @@ void rotation_vector_6_expanded_float64_update(rotation_vector_6_expanded_float6
     const double g1_y = g1_y_3 + g1_y_4;
     const double g1_z = g1_z_3 + g1_z_4;
 
-    /* coning1 = g1 x d1   [math T5] */
+    /* coning1 = g1 x d1   [song2013 expanded coning, derived here] */
     const double coning1_x_1 = g1_y * d1_z;
     const double coning1_x_2 = g1_z * d1_y;
     const double coning1_x = coning1_x_1 - coning1_x_2;
@@ -181,7 +183,7 @@ void rotation_vector_6_expanded_float64_update(rotation_vector_6_expanded_float6
     const double coning1_z_2 = g1_y * d1_x;
     const double coning1_z = coning1_z_1 - coning1_z_2;
 
-    /* g2 = -17377/92400 s1 + 587/3300 s2 + 54731/92400 s3   [math T5] */
+    /* g2 = -17377/92400 s1 + 587/3300 s2 + 54731/92400 s3   [song2013 expanded coning, derived here] */
     const double g2_x_1 = -0.18806277056277057 /* -17377/92400 */ * s1_x;
     const double g2_y_1 = -0.18806277056277057 /* -17377/92400 */ * s1_y;
     const double g2_z_1 = -0.18806277056277057 /* -17377/92400 */ * s1_z;
@@ -198,7 +200,7 @@ void rotation_vector_6_expanded_float64_update(rotation_vector_6_expanded_float6
     const double g2_y = g2_y_3 + g2_y_4;
     const double g2_z = g2_z_3 + g2_z_4;
 
-    /* coning2 = g2 x d2   [math T5] */
+    /* coning2 = g2 x d2   [song2013 expanded coning, derived here] */
     const double coning2_x_1 = g2_y * d2_z;
     const double coning2_x_2 = g2_z * d2_y;
     const double coning2_x = coning2_x_1 - coning2_x_2;
@@ -209,7 +211,7 @@ void rotation_vector_6_expanded_float64_update(rotation_vector_6_expanded_float6
     const double coning2_z_2 = g2_y * d2_x;
     const double coning2_z = coning2_z_1 - coning2_z_2;
 
-    /* g3 = 17561/92400 s1 + 2207/92400 s2 + 3139/11550 s3   [math T5] */
+    /* g3 = 17561/92400 s1 + 2207/92400 s2 + 3139/11550 s3   [song2013 expanded coning, derived here] */
     const double coning_x_1 = coning1_x + coning2_x;
     const double coning_y_1 = coning1_y + coning2_y;
     const double coning_z_1 = coning1_z + coning2_z;
@@ -229,7 +231,7 @@ void rotation_vector_6_expanded_float64_update(rotation_vector_6_expanded_float6
     const double g3_y = g3_y_3 + g3_y_4;
     const double g3_z = g3_z_3 + g3_z_4;
 
-    /* coning3 = g3 x d3   [math T5] */
+    /* coning3 = g3 x d3   [song2013 expanded coning, derived here] */
     const double coning3_x_1 = g3_y * d3_z;
     const double coning3_x_2 = g3_z * d3_y;
     const double coning3_x = coning3_x_1 - coning3_x_2;
@@ -240,12 +242,12 @@ void rotation_vector_6_expanded_float64_update(rotation_vector_6_expanded_float6
     const double coning3_z_2 = g3_y * d3_x;
     const double coning3_z = coning3_z_1 - coning3_z_2;
 
-    /* coning = coning1 + coning2 + coning3   [math T5] */
+    /* coning = coning1 + coning2 + coning3   [song2013 expanded coning, derived here] */
     const double coning_x = coning_x_1 + coning3_x;
     const double coning_y = coning_y_1 + coning3_y;
     const double coning_z = coning_z_1 + coning3_z;
 
-    /* phi = S + coning   [math T5] */
+    /* phi = S + coning   [song2013 expanded coning, derived here] */
     const double phi_x = S_x + coning_x;
     const double phi_y = S_y + coning_y;
     const double phi_z = S_z + coning_z;
@@ -338,7 +340,8 @@ void rotation_vector_6_expanded_float64_update(rotation_vector_6_expanded_float6
     state->q[3] = q_next_z;
 }
 
-void rotation_vector_6_expanded_float64_quaternion(const rotation_vector_6_expanded_float64_state *state, double q_nb[4])
+void rotation_vector_6_expanded_float64_quaternion(
+    const rotation_vector_6_expanded_float64_state *state, double q_nb[4])
 {
     const double q_w = state->q[0];
     const double q_x = state->q[1];
@@ -350,7 +353,8 @@ void rotation_vector_6_expanded_float64_quaternion(const rotation_vector_6_expan
     q_nb[3] = q_z;
 }
 
-void rotation_vector_6_expanded_float64_dcm(const rotation_vector_6_expanded_float64_state *state, double c_nb[9])
+void rotation_vector_6_expanded_float64_dcm(
+    const rotation_vector_6_expanded_float64_state *state, double c_nb[9])
 {
     /* q, read once */
     const double q_w = state->q[0];

@@ -23,10 +23,11 @@ def weights(subsamples: int, rule: str) -> tuple[tuple[Fraction, ...], ...]:
 def increments(omega: Sequence[Vector], interval: Fraction, rule: str) -> tuple[Vector, ...]:
     """Write the N increments [rad] of N + 1 rates [rad/s] at equal spacing over `interval` seconds.
 
-    The polynomial through all samples is integrated (math T7), or the three-node rule of cao (13),
+    The polynomial through all samples is integrated over each
+    sub-interval, or the three-node rule of cao (13),
     corrected. The interval is part of the constants: no product with T is left.
     """
-    source = "cao (13), third row corrected" if rule == "cao-13" else "math T7"
+    source = "cao (13), third row corrected" if rule == "cao-13" else "polynomial through all samples"
     rows = weights(len(omega) - 1, rule)
     thetas = []
     for i, row in enumerate(rows):

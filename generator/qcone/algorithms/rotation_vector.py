@@ -20,8 +20,8 @@ SETS = ("taylor", "coning", "expanded", "compressed")
 SOURCES: Mapping[str, Source] = {
     "taylor": Source("xu2019", "(4)"),
     "coning": Source("cao", "(12)"),
-    "expanded": Source("math", "T5"),
-    "compressed": Source("math", "T4"),
+    "expanded": Source("song2013", "expanded coning, derived here"),
+    "compressed": Source("ignagni1990", "compressed coning, derived here"),
 }
 SYMMETRIC = frozenset({"cyclic", "flip", "time-reversal", "constant-rate"})
 ONE_SIDED = frozenset({"cyclic", "flip"})
@@ -176,8 +176,8 @@ def _compressed(dtheta: Sequence[Vector], pairs: weights.Pairs) -> Vector:
     n = len(dtheta)
     factors = [pairs[i, n] for i in range(1, n)]
     text = " ".join(f"{_signed(c, i == 0)} theta_{i + 1}" for i, c in enumerate(factors))
-    before = step(f"h = {text}", "math T4", _weighted(factors, dtheta))
-    return step(f"coning = h x theta_{n}", "math T4", cross(before, dtheta[-1]))
+    before = step(f"h = {text}", "ignagni1990", _weighted(factors, dtheta))
+    return step(f"coning = h x theta_{n}", "ignagni1990", cross(before, dtheta[-1]))
 
 
 def _factored(

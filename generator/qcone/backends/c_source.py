@@ -32,6 +32,7 @@ SIGNS = {
     MachineOp.DIVIDE: "/",
 }
 INDENT = "    "
+LINE = 105
 INTERNAL = frozenset({"start_up", "steady"})
 """Routines that only `update` calls: static."""
 
@@ -81,7 +82,7 @@ def _function(routine: Routine, program: Program, number: Floating) -> Function:
         arguments.append(f"{const}{number.ctype} {block.name}[{block.size}]")
     name = f"{program.name}_{routine.name}"
     internal = routine.name in INTERNAL
-    signature = f"{'static ' if internal else ''}void {name}({', '.join(arguments) or 'void'})"
+    signature = _signature(f"{'static ' if internal else ''}void {name}", arguments)
     return Function(routine.name, signature, tuple(_Printer(routine, program, number).lines()), internal)
 
 
@@ -89,10 +90,17 @@ def _scalar_function(routine: Routine, program: Program, number: Floating) -> Fu
     """Print a callee: scalars in by value, results out through one array."""
     names = [f"const {number.ctype} {part}" for block in routine.having(Role.INPUT) for part in components(block)]
     size = sum(block.size for block in routine.having(Role.OUTPUT))
-    arguments = ", ".join([*names, f"{number.ctype} result[{size}]"])
-    signature = f"static void {program.name}_{routine.name}({arguments})"
+    signature = _signature(f"static void {program.name}_{routine.name}", [*names, f"{number.ctype} result[{size}]"])
     printer = _Printer(routine, program, number, scalar=True)
     return Function(routine.name, signature, tuple(printer.lines()), True)
+
+
+def _signature(start: str, arguments: Sequence[str]) -> str:
+    """Return a signature on one line, or with its arguments on a second where it would be too long."""
+    given = ", ".join(arguments) or "void"
+    if len(start) + len(given) <= LINE:
+        return f"{start}({given})"
+    return f"{start}(\n{INDENT}{given})"
 
 
 def components(block: Block) -> list[str]:

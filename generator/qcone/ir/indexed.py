@@ -81,9 +81,9 @@ def table(name: str, like: Quantity, entries: Sequence[Number]) -> Table:
 
 
 def loop(counter: str, like: Quantity, first: Index | int, last: Index | int) -> Iterator[Any]:
-    """Count from one number to another, both included: `for n in loop("n", q, 1, 10)`.
+    """Yield a counter from `first` to `last`, both ends included.
 
-    Rolled, the body runs once with a symbolic counter and becomes a C loop; otherwise it runs for every
+    Written as `for n in loop("n", q, 1, 10)`. Rolled, the body runs once with a symbolic counter and becomes a C loop; otherwise it runs for every
     number and is written out. The operations and their order are the same.
     """
     builder = like.builder
