@@ -12,7 +12,7 @@ from fractions import Fraction
 
 from qcone.algorithms import attitude, increments
 from qcone.design import Design
-from qcone.errors import DesignError, Problem, UsageError
+from qcone.errors import UsageError
 from qcone.ir import trace
 from qcone.ir.blocks import Quantity, Quaternion, Vector, of
 from qcone.ir.builder import Builder
@@ -273,8 +273,3 @@ def _dcm(q: Block, writing: Writing) -> Routine:
     form = attitude.dcm_squares if writing.as_written else attitude.dcm
     _write(builder, out, 0, form(_as_quaternion(builder, q)))
     return builder.routine("Give the direction cosine matrix.")
-
-
-def problem(design: Design, code: str, what: str, why: str = "", hint: str = "") -> DesignError:
-    """Return the error of one mistake that only the whole design shows."""
-    return DesignError([Problem(f"{design.file or 'command line'}: design '{design.name}'", code, what, why, hint)])

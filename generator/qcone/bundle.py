@@ -87,7 +87,7 @@ def with_manifest(bundle: Bundle) -> Mapping[str, str]:
         "generator": f"qcone {__version__}",
         "command": command(facts.design),
         "design": bundle.name,
-        "design_digest": facts.design.digest,
+        "design_digest": facts.digest,
         "interface": INTERFACE,
         "algorithm": facts.algorithm.name,
         "source": str(facts.algorithm.source),

@@ -36,6 +36,7 @@ class Facts:
     number: Floating
     known: Declaration
     exponential: Exponential | None
+    digest: str
     counts: dict[str, dict[str, Counts]]
     """Counts by routine, then by level: as-written, shared, emitted."""
 
@@ -50,7 +51,7 @@ def banner(facts: Facts) -> tuple[str, ...]:
     design, algorithm = facts.design, facts.algorithm
     lines = [
         f"qcone {__version__}, design {design.name}, SHA-256 of the design",
-        design.digest,
+        facts.digest,
         "",
         *_item("algorithm", f"{algorithm.name}, form {design.form}, {_accumulation(design)}"),
         *_item("source", _source(algorithm)),

@@ -15,7 +15,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from qcone import contract
-from qcone.assembly import assemble, declaration, problem, rotation_bound, writing_of
+from qcone.admission import check_stages, number_of, problem
+from qcone.assembly import assemble, declaration, rotation_bound, writing_of
 from qcone.backends import page as pages
 from qcone.backends.c_source import functions, state_fields, state_initialiser
 from qcone.backends.counts import Counts, count
@@ -23,7 +24,7 @@ from qcone.bundle import Bundle
 from qcone.contract import Facts
 from qcone.design import Design
 from qcone.errors import CheckError, UsageError
-from qcone.formats.floating import FLOATING, Floating
+from qcone.formats.floating import Floating
 from qcone.ir.check import check_program
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
@@ -37,7 +38,7 @@ from qcone.passes.naming import name_values
 from qcone.passes.share import share
 from qcone.passes.signs import signs
 from qcone.passes.sweep import sweep
-from qcone.registry import algorithm_of
+from qcone.registry import algorithm_of, digest_of
 from qcone.targets.probe import contraction_probe
 
 EXACT: tuple[Callable[[Routine], Routine], ...] = (fold, share, sweep, signs, sweep)
@@ -48,45 +49,16 @@ def build(design: Design) -> Bundle:
     """Return the bundle of a design: its programs, its C and its facts. Raises a QconeError that says why not."""
     number = number_of(design)
     algorithm = algorithm_of(design)
+    check_stages(design, algorithm)
     exponential = choose_exponential(design, algorithm, number)
     written = write(design, algorithm, exponential)
     ready = prepare(written, design)
     machine = lower(ready, number)
-    facts = Facts(
-        design,
-        algorithm,
-        number,
-        declaration(design, algorithm),
-        exponential,
-        levels(written, ready, machine),
-    )
+    counts = levels(written, ready, machine)
+    known = declaration(design, algorithm)
+    facts = Facts(design, algorithm, number, known, exponential, digest_of(design), counts)
     _within_budget(facts)
     return _print(facts, written, machine)
-
-
-def number_of(design: Design) -> Floating:
-    """Return the design's number format. Raises UsageError for the formats that are not built yet."""
-    number = FLOATING.get(design.number.format)
-    if number is None:
-        what = f'number.format = "{design.number.format}" is not available in this version'
-        raise problem(design, "QC201", what, "", f"use {' or '.join(FLOATING)}")
-    if design.input == "counts":
-        raise problem(
-            design,
-            "QC202",
-            'input = "counts" is not available in this version',
-            "",
-            'use input = "increment" or "rate"',
-        )
-    if "euler" in design.outputs:
-        raise problem(
-            design,
-            "QC203",
-            'the output "euler" is not available in this version',
-            "",
-            'use "quaternion" and "dcm"',
-        )
-    return number
 
 
 def choose_exponential(design: Design, algorithm: Algorithm, number: Floating) -> Exponential | None:

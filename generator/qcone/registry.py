@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import importlib.util
 import sys
 from pathlib import Path
@@ -32,8 +33,7 @@ def algorithm_of(design: Design) -> Algorithm:
     """
     if ":" not in design.algorithm:
         return family(design.algorithm).make(design.parameters)
-    file, _, name = design.algorithm.rpartition(":")
-    path = (design.directory or Path()) / file
+    name, path = design.algorithm.rpartition(":")[2], _file_of(design)
     if not path.is_file():
         raise UsageError(f"{path}: there is no such file; 'algorithm' takes a path from the design file's folder")
     found = vars(_load(path)).get(name)
@@ -43,6 +43,18 @@ def algorithm_of(design: Design) -> Algorithm:
         )
         raise UsageError(f"{path.name}: '{name}' {what}")
     return found
+
+
+def digest_of(design: Design) -> str:
+    """Return the SHA-256 of the design; with a user's own file, of its text too, so that its edits show."""
+    if ":" not in design.algorithm:
+        return design.digest
+    text = _file_of(design).read_bytes().replace(b"\r\n", b"\n")
+    return hashlib.sha256(design.digest.encode() + text).hexdigest()
+
+
+def _file_of(design: Design) -> Path:
+    return (design.directory or Path()) / design.algorithm.rpartition(":")[0]
 
 
 def _load(path: Path) -> ModuleType:

@@ -83,8 +83,8 @@ def table(name: str, like: Quantity, entries: Sequence[Number]) -> Table:
 def loop(counter: str, like: Quantity, first: Index | int, last: Index | int) -> Iterator[Any]:
     """Yield a counter from `first` to `last`, both ends included.
 
-    Written as `for n in loop("n", q, 1, 10)`. Rolled, the body runs once with a symbolic counter and becomes a C loop; otherwise it runs for every
-    number and is written out. The operations and their order are the same.
+    Written as `for n in loop("n", q, 1, 10)`. Rolled, the body runs once with a symbolic counter and becomes a C
+    loop; otherwise it runs for every number and is written out. The operations and their order are the same.
     """
     builder = like.builder
     if builder.writing.rolled:

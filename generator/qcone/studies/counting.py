@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 
+from qcone.admission import number_of
 from qcone.assembly import assemble, writing_of
 from qcone.backends.counts import Counts, count
 from qcone.design import Design
@@ -12,7 +13,7 @@ from qcone.errors import UsageError
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, Program, walk
 from qcone.ir.writing import AS_WRITTEN
-from qcone.pipeline import build, choose_exponential, number_of, prepare
+from qcone.pipeline import build, choose_exponential, prepare
 from qcone.registry import algorithm_of
 
 Row = dict[str, object]

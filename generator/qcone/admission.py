@@ -1,0 +1,38 @@
+"""Admission: what only the whole design shows to be impossible, said before anything is built (codes QC2xx)."""
+
+from __future__ import annotations
+
+from qcone.design import Design
+from qcone.errors import DesignError, Problem
+from qcone.formats.floating import FLOATING, Floating
+from qcone.ir.specification import Algorithm
+
+
+def problem(design: Design, code: str, what: str, why: str = "", hint: str = "") -> DesignError:
+    """Return the error of one mistake that only the whole design shows."""
+    return DesignError([Problem(f"{design.file or 'command line'}: design '{design.name}'", code, what, why, hint)])
+
+
+def number_of(design: Design) -> Floating:
+    """Return the design's number format. Raises DesignError for what this version does not build."""
+    number = FLOATING.get(design.number.format)
+    if number is None:
+        what = f'number.format = "{design.number.format}" is not available in this version'
+        raise problem(design, "QC201", what, "", f"use {' or '.join(FLOATING)}")
+    if design.input == "counts":
+        what = 'input = "counts" is not available in this version'
+        raise problem(design, "QC202", what, "", 'use input = "increment" or "rate"')
+    if "euler" in design.outputs:
+        what = 'the output "euler" is not available in this version'
+        raise problem(design, "QC203", what, "", 'use "quaternion" and "dcm"')
+    return number
+
+
+def check_stages(design: Design, algorithm: Algorithm) -> None:
+    """Raise DesignError when the stage from rates to increments does not fit the design."""
+    if design.increments != "interpolating" and design.input != "rate":
+        what = f'increments = "{design.increments}" belongs to input = "rate"'
+        raise problem(design, "QC205", what, "angle increments need no stage before the update", "leave the key out")
+    if design.increments == "cao-13" and algorithm.subsamples != 3:
+        what = f'increments = "cao-13" needs three sub-samples, the algorithm has {algorithm.subsamples}'
+        raise problem(design, "QC206", what, "cao (13) is a rule for four rates", 'use increments = "interpolating"')
