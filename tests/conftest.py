@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import NoReturn
 
 import pytest
+
+from qcone.targets import build
+from qcone.targets.compiler import Compiler, compilers
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -19,6 +24,36 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="fail, rather than skip, where an optional tool or folder is absent",
     )
+
+
+@pytest.fixture(scope="session")
+def missing_tool(pytestconfig: pytest.Config) -> Callable[[str], NoReturn]:
+    """Skip the test, naming the tool and how to install it; with --require-tools fail it."""
+
+    def absent(tool: str) -> NoReturn:
+        if pytestconfig.getoption("--require-tools"):
+            pytest.fail(f"missing tool: {tool}", pytrace=False)
+        pytest.skip(f"missing tool: {tool}")
+
+    return absent
+
+
+@pytest.fixture(autouse=True, scope="session")
+def build_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """Keep the builds of this run apart from the user's: nothing is found that was not built here."""
+    folder = tmp_path_factory.mktemp("builds")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(build, "_folder", lambda: folder)
+        yield folder
+
+
+@pytest.fixture(scope="session")
+def first_compiler(missing_tool: Callable[[str], NoReturn]) -> Compiler:
+    """Find the compiler that commands take when none is named."""
+    found = compilers()
+    if not found:
+        missing_tool("a C compiler (pip install 'qcone[compiler]', or apt install gcc)")
+    return found[0]
 
 
 @pytest.fixture(scope="session")

@@ -67,8 +67,9 @@ def rotation_bound(algorithm: Algorithm, design: Design) -> Fraction | None:
     Raises UsageError when the argument of exp cannot be bounded.
     """
     bounds = []
+    accumulate = "standard" if design.number.accumulate == "standard" else "delta"
     for form in ("as-written", "factored"):
-        routines = _update_routines(algorithm, design, Writing(form=form))
+        routines = _update_routines(algorithm, design, Writing(form=form, accumulate=accumulate))
         try:
             found = [rotation_vector_bound(routine) for routine in routines]
         except ValueError as error:

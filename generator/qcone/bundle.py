@@ -5,7 +5,8 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -154,33 +155,48 @@ def _recorded(folder: Path) -> Mapping[str, str]:
     return files if isinstance(files, dict) else {}
 
 
-def write(verified: VerifiedBundle, folder: Path, force: bool = False) -> tuple[FileStatus, ...]:
-    """Write a verified bundle into `folder` and return what each file was before.
+def write(bundles: Sequence[VerifiedBundle], root: Path, force: bool = False) -> tuple[tuple[FileStatus, ...], ...]:
+    """Write verified bundles, each into the folder of its name under `root`; return what each file was before.
 
-    Raises CheckError for a file edited by hand, unless `force`; UsageError when the folder cannot be
-    written. Every file is written beside its place and moved there, the manifest last.
+    Raises CheckError for a file edited by hand, unless `force`; UsageError when a folder cannot be written.
+    Every file of every bundle is written beside its place before the first one is moved there, a bundle's
+    manifest last: what fails leaves the files of before.
     """
-    contents = verified.contents
-    before = compare(contents, folder)
-    edited = [each.path for each in before if each.status == "edited"]
-    if edited and not force:
-        raise CheckError(
-            f"{folder / edited[0]}: edited by hand; its changes would be lost: move them into the design, or "
-            "overwrite the file with --force"
-        )
+    folders = [root / each.bundle.name for each in bundles]
+    before = tuple(compare(each.contents, folder) for each, folder in zip(bundles, folders, strict=True))
+    for files, folder in zip(before, folders, strict=True):
+        edited = [each.path for each in files if each.status == "edited"]
+        if edited and not force:
+            raise CheckError(
+                f"{folder / edited[0]}: edited by hand; its changes would be lost: move them into the design, or "
+                "overwrite the file with --force"
+            )
     temporary: list[tuple[Path, Path]] = []
+    made: list[Path] = []
+    folder = root
     try:
-        for path, text in contents.items():
-            place = folder / path
-            place.parent.mkdir(parents=True, exist_ok=True)
-            beside = place.with_name(place.name + ".partial")
-            temporary.append((beside, place))
-            beside.write_bytes(text.encode())
+        for each, folder in zip(bundles, folders, strict=True):
+            for path, text in each.contents.items():
+                place = folder / path
+                made += _make_folder(place.parent)
+                beside = place.with_name(place.name + ".partial")
+                temporary.append((beside, place))
+                beside.write_bytes(text.encode())
         for beside, place in temporary:
             os.replace(beside, place)
     except OSError as error:
         for beside, _ in temporary:
             beside.unlink(missing_ok=True)
+        for empty in reversed(made):
+            with suppress(OSError):
+                empty.rmdir()
         reason = error.strerror or str(error)
         raise UsageError(f"{folder}: cannot write the design there: {reason}; choose another folder with -o") from error
     return before
+
+
+def _make_folder(folder: Path) -> list[Path]:
+    """Make a folder and those above it; return the new ones, outermost first."""
+    new = [each for each in (folder, *folder.parents) if not each.exists()]
+    folder.mkdir(parents=True, exist_ok=True)
+    return new[::-1]

@@ -51,10 +51,7 @@ class Commands(click.Group):
             if context.params.get("traceback"):
                 raise
             click.echo(f"internal error: {type(error).__name__}: {error}", err=True)
-            click.echo(
-                "this is a bug of qcone: please report it with the output of `qcone --traceback ...`",
-                err=True,
-            )
+            click.echo("this is a bug of qcone: please report it with the output of `qcone --traceback ...`", err=True)
             sys.exit(70)
 
 
@@ -180,25 +177,24 @@ def counts(
 ) -> None:
     """Count the operations of an update and of the direction cosine matrix, at every level."""
     from qcone.studies import counting
-    from qcone.studies.selection import designs_of, from_options
+    from qcone.studies.selection import designs_of, from_options, refuse_options
 
     form = options.pop("form")
     if form is not None and form not in counting.FORMS:
         raise UsageError(f"--form {form}: choose {' or '.join(counting.FORMS)}")
+    if names and not (subject or "").endswith(".toml"):
+        raise UsageError(f"--design {names[0]}: say which design file it is in")
     if subject is None:
+        refuse_options({"form": form, **options}, "say which algorithm it is for")
         _print("counts", counting.paper_table(against or "xu2019"), layout)
         return
     rows = []
     if subject.endswith(".toml"):
+        refuse_options(options, "the design file decides; leave the option out")
         for design in designs_of((subject,), names):
             rows += counting.rows_of_design(design, (form or design.form,), against)
     else:
-        defaults = {
-            "number": "float64",
-            "max-rate-dps": "573",
-            "update-hz": "100",
-            "outputs": "quaternion,dcm",
-        }
+        defaults = {"number": "float64", "max-rate-dps": "573", "update-hz": "100", "outputs": "quaternion,dcm"}
         design = from_options("counted", subject, options, defaults)
         rows = counting.rows_of_design(design, (form,) if form else counting.FORMS, against)
         rows = [{**row, "design": None} for row in rows]
@@ -209,26 +205,14 @@ def counts(
 @click.argument("file", metavar="FILE.csv", type=click.Path(path_type=Path))
 @click.option("--algorithm", metavar="ID", help="Catalogue id; its parameters are options.")
 @click.option("--design", "named", multiple=True, metavar="FILE.toml:NAME", help="A design; several are compared.")
-@click.option(
-    "--input",
-    "kind",
-    type=click.Choice(("increment", "rate")),
-    default="increment",
-    help="What the rows are.",
-)
+@click.option("--input", "kind", type=click.Choice(("increment", "rate")), default="increment", help="What a row is.")
 @click.option("--columns", metavar="MAP", help="Names and unit: 't=Time (s);x=...;y=...;z=...;unit=deg/s'.")
 @click.option("--sample-hz", type=float, help="Sample rate; gives or overrules the time column.")
 @click.option("--resample", type=float, metavar="HZ", help="Bring irregular rows to this rate, by cubics.")
 @click.option("--initial", default="1,0,0,0", metavar="W,X,Y,Z", help="Attitude at the start.")
 @click.option("--compare", is_flag=True, help="Hold every word against the bit-true model; exit 1 if a bit differs.")
 @click.option("--cc", metavar="CC", help="Compiler to use.")
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(path_type=Path),
-    metavar="OUT.csv",
-    help="Where the attitude is written.",
-)
+@click.option("-o", "--output", type=click.Path(path_type=Path), metavar="OUT.csv", help="Where the attitude goes.")
 @design_options
 @report
 def replay(
@@ -249,7 +233,7 @@ def replay(
     """Run the generated, compiled C on recorded or simulated motion."""
     from qcone.studies import recording as recordings
     from qcone.studies import session
-    from qcone.studies.selection import one_design
+    from qcone.studies.selection import one_design, refuse_options
 
     if bool(algorithm) == bool(named):
         raise UsageError("give --algorithm ID with its parameters, or --design FILE.toml:NAME, one of the two")
@@ -257,6 +241,7 @@ def replay(
     if algorithm:
         designs = [session.design_for(recording, algorithm, options, _say)]
     else:
+        refuse_options(options, "the design file decides; leave the option out")
         designs = [one_design(each) for each in named]
     if output is None and len(designs) < 2:
         raise UsageError("-o OUT.csv says where the attitude is to be written")

@@ -26,10 +26,11 @@ from qcone.design import Design
 from qcone.errors import CheckError, UsageError
 from qcone.formats.floating import Floating
 from qcone.ir.check import check_program
+from qcone.ir.evaluate import agree
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.specification import Algorithm
-from qcone.ir.statement import Loop, Program, Role, Routine, Shape, walk
+from qcone.ir.statement import Loop, Program, Role, Routine, Shape, reachable, walk
 from qcone.passes.compensate import compensate
 from qcone.passes.exponential import Exponential, choose
 from qcone.passes.fold import fold
@@ -73,9 +74,20 @@ def choose_exponential(design: Design, algorithm: Algorithm, number: Floating) -
 
 
 def write(design: Design, algorithm: Algorithm, exponential: Exponential | None) -> Program:
-    """Return the program as its author wrote it, in the design's form."""
+    """Return the program as its author wrote it, in the design's form.
+
+    Raises UsageError when loops kept as loops do not say what they say written out, turn by turn.
+    """
     writing = writing_of(design, exponential.series if exponential else None)
-    return check_program(assemble(algorithm, design, writing), RealOp)
+    program = check_program(assemble(algorithm, design, writing), RealOp)
+    if writing.rolled:
+        written_out = assemble(algorithm, design, replace(writing, rolled=False))
+        if not all(map(agree, program.routines, written_out.routines)):
+            raise UsageError(
+                f"algorithm '{algorithm.name}': rolled into loops it is another calculation than written out: what one "
+                "turn hands to the next belongs into a history, and a turn may not depend on the counter by an if"
+            )
+    return program
 
 
 def prepare(program: Program, design: Design) -> Program:
@@ -162,7 +174,8 @@ def _print(facts: Facts, written: Program, machine: Program) -> Bundle:
 
 
 def _has_loops(machine: Program) -> bool:
-    return any(isinstance(each, Loop) for routine in machine.routines for each in walk(routine.body))
+    every = (each for routine in machine.routines for each in (routine, *reachable(routine)))
+    return any(isinstance(statement, Loop) for routine in every for statement in walk(routine.body))
 
 
 def _driver(machine: Program, number: Floating) -> pages.Driver:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from qcone.backends.bittrue import Model, State, dtype_of, new_state
 from qcone.backends.counts import count
 from qcone.backends.expected import differences
+from qcone.backends.text_counts import count_text
 from qcone.bundle import Bundle, Evidence, VerifiedBundle
 from qcone.errors import CheckError
 from qcone.ir.statement import Role
@@ -66,13 +67,14 @@ def accept(bundle: Bundle, cc: str | None = None) -> VerifiedBundle:
 
 
 def read_back(bundle: Bundle) -> None:
-    """Raise CheckError unless the C text says, statement by statement, what the routines say."""
+    """Raise CheckError unless the C text says, statement by statement and count by count, what the routines say."""
     found = differences(bundle.machine, bundle.facts.number, bundle.header, bundle.source)
     if found:
         raise CheckError(f"{bundle.name}: the C text is not the routine: {found[0]}")
+    text = count_text(bundle.header, bundle.source)
     for name, levels in bundle.facts.counts.items():
-        if count(bundle.machine.routine(name)) != levels["emitted"]:
-            raise CheckError(f"{bundle.name}: {name}: the counts do not reconcile")
+        if not count(bundle.machine.routine(name)) == levels["emitted"] == text[f"{bundle.name}_{name}"]:
+            raise CheckError(f"{bundle.name}: {name}: the counts of report, routine and text do not reconcile")
 
 
 def verify(
@@ -234,16 +236,19 @@ def _sanitized(
         return
     if not report.available:
         return
-    words = np.frombuffer(report.output, expected.dtype)
-    differing = None
+    words, first, differing = np.frombuffer(report.output, expected.dtype), report.first or None, None
     if words.size == expected.size:
-        differing = differing_bits(words.reshape(expected.shape), expected)
+        words = words.reshape(expected.shape)
+        differing = differing_bits(words, expected)
+        first = first or (describe_first(bundle, vectors, words, expected) if differing else None)
+    else:
+        first = first or f"the program wrote {words.size} words, not {expected.size}"
     status = "reports" if report.reports else "differs" if differing != 0 else "ok"
     yield replace(
         done,
         compiler=f"{done.compiler} {'+'.join(report.sanitizers)}",
         differing_bits=differing,
-        first_difference=report.first or None,
+        first_difference=first,
         sanitizer_reports=report.reports,
         status=status,
     )

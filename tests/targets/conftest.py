@@ -1,21 +1,12 @@
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from qcone.targets import build, compiler
+from qcone.targets import compiler
 from qcone.targets.compiler import Compiler
-
-
-@pytest.fixture(autouse=True, scope="session")
-def build_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """Keep the builds of this run apart from the user's: nothing is found that was not built here."""
-    folder = tmp_path_factory.mktemp("builds")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(build, "_folder", lambda: folder)
-        yield folder
 
 
 def _one(config: pytest.Config, family: str, name: str, fix: str) -> Compiler:

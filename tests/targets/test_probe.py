@@ -86,8 +86,8 @@ def test_gcc_slp_pairs_need_their_own_flag(gcc: Compiler) -> None:
         pytest.skip(f"gcc {gcc.version} on {platform.machine()} fuses no lanes: nothing to guard against")
     assert _probe(gcc, "-O2", paired) == SLP_CONTRACTED
     for alone in (
-        ("here_contracts_float_call(as, cs, o);", "o[0] = o[1] = o[2] = o[3] = 0.0F;"),
-        ("here_contracts_double_call(xs, zs, w);", "w[0] = w[1] = 0.0;"),
+        ("probe_float_call(as, cs, o);", "o[0] = o[1] = o[2] = o[3] = 0.0F;"),
+        ("probe_double_call(xs, zs, w);", "w[0] = w[1] = 0.0;"),
     ):
         assert _probe(gcc, "-O2", paired, without=alone) == SLP_CONTRACTED, f"without {alone[0]}"
     assert _probe(gcc, "-O2", unit) == 0

@@ -33,7 +33,7 @@
 #include "picard_1_3_as_written_float64.h"
 
 #if PICARD_1_3_AS_WRITTEN_FLOAT64_VERSION != 1
-#error "picard_1_3_as_written_float64.c and picard_1_3_as_written_float64.h are of different versions: generate both again"
+#error "picard_1_3_as_written_float64.h is of another version than this file: generate both again"
 #endif
 
 #if defined(__clang__)

@@ -33,7 +33,7 @@
 #include "picard_1_4_float32.h"
 
 #if PICARD_1_4_FLOAT32_VERSION != 1
-#error "picard_1_4_float32.c and picard_1_4_float32.h are of different versions: generate both again"
+#error "picard_1_4_float32.h is of another version than this file: generate both again"
 #endif
 
 #if defined(__clang__)

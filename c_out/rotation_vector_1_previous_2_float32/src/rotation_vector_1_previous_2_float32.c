@@ -38,7 +38,7 @@
 #include "rotation_vector_1_previous_2_float32.h"
 
 #if ROTATION_VECTOR_1_PREVIOUS_2_FLOAT32_VERSION != 1
-#error "rotation_vector_1_previous_2_float32.c and rotation_vector_1_previous_2_float32.h are of different versions: generate both again"
+#error "rotation_vector_1_previous_2_float32.h is of another version than this file: generate both again"
 #endif
 
 #if defined(__clang__)
@@ -57,7 +57,7 @@ void rotation_vector_1_previous_2_float32_init(rotation_vector_1_previous_2_floa
     state->previous[3] = 0.0F;
     state->previous[4] = 0.0F;
     state->previous[5] = 0.0F;
-    state->count = 0.0F;
+    state->count = 0;
 }
 
 void rotation_vector_1_previous_2_float32_set_quaternion(
@@ -103,7 +103,7 @@ void rotation_vector_1_previous_2_float32_set_quaternion(
     state->previous[3] = 0.0F;
     state->previous[4] = 0.0F;
     state->previous[5] = 0.0F;
-    state->count = 0.0F;
+    state->count = 0;
 }
 
 static void rotation_vector_1_previous_2_float32_start_up(

@@ -44,7 +44,9 @@
 #ifdef __FAST_MATH__
 #error "rotation_vector_1_previous_2_float32: compile without -ffast-math: the order of operations is part of the result"
 #endif
-#if !defined(FLT_EVAL_METHOD) || (FLT_EVAL_METHOD != 0)
+#if !defined(FLT_EVAL_METHOD) && defined(__TINYC__) && !defined(__i386__)
+/* tcc does not say; everywhere but on the x87 it rounds every operation to its own type. */
+#elif !defined(FLT_EVAL_METHOD) || (FLT_EVAL_METHOD != 0)
 #error "rotation_vector_1_previous_2_float32: needs FLT_EVAL_METHOD 0: every operation rounded to its own type"
 #endif
 #if (FLT_RADIX != 2) || (FLT_MANT_DIG != 24)

@@ -39,7 +39,7 @@
 #include "rotation_vector_1_previous_5_float64.h"
 
 #if ROTATION_VECTOR_1_PREVIOUS_5_FLOAT64_VERSION != 1
-#error "rotation_vector_1_previous_5_float64.c and rotation_vector_1_previous_5_float64.h are of different versions: generate both again"
+#error "rotation_vector_1_previous_5_float64.h is of another version than this file: generate both again"
 #endif
 
 #if defined(__clang__)
@@ -67,7 +67,7 @@ void rotation_vector_1_previous_5_float64_init(rotation_vector_1_previous_5_floa
     state->previous[12] = 0.0;
     state->previous[13] = 0.0;
     state->previous[14] = 0.0;
-    state->count = 0.0;
+    state->count = 0;
 }
 
 void rotation_vector_1_previous_5_float64_set_quaternion(
@@ -122,7 +122,7 @@ void rotation_vector_1_previous_5_float64_set_quaternion(
     state->previous[12] = 0.0;
     state->previous[13] = 0.0;
     state->previous[14] = 0.0;
-    state->count = 0.0;
+    state->count = 0;
 }
 
 static void rotation_vector_1_previous_5_float64_start_up(
@@ -284,7 +284,8 @@ static void rotation_vector_1_previous_5_float64_steady(
     const double previous5_y = state->previous[13];
     const double previous5_z = state->previous[14];
 
-    /* h = 4247/27720 theta[-1] - 703/13860 theta[-2] + 61/4620 theta[-3] - 31/13860 theta[-4] + 1/5544 theta[-5]   [savage1998 (46)] */
+    /* h = 4247/27720 theta[-1] - 703/13860 theta[-2] + 61/4620 theta[-3] - 31/13860 theta[-4] + 1/5544
+     * theta[-5]   [savage1998 (46)] */
     const double h_x_1 = 0.15321067821067821 /* 4247/27720 */ * previous1_x;
     const double h_y_1 = 0.15321067821067821 /* 4247/27720 */ * previous1_y;
     const double h_z_1 = 0.15321067821067821 /* 4247/27720 */ * previous1_z;

@@ -35,7 +35,7 @@
 #include "rotation_vector_2_coning_float64.h"
 
 #if ROTATION_VECTOR_2_CONING_FLOAT64_VERSION != 1
-#error "rotation_vector_2_coning_float64.c and rotation_vector_2_coning_float64.h are of different versions: generate both again"
+#error "rotation_vector_2_coning_float64.h is of another version than this file: generate both again"
 #endif
 
 #if defined(__clang__)

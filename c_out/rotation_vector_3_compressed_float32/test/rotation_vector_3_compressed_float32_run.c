@@ -1,55 +1,71 @@
-/* Test only: runs rows of vectors through rotation_vector_3_compressed_float32 and writes every word of its state and outputs.
- * Not part of the firmware; compiled beside it so that what is tested is what ships.
+/* Test only: runs rows of vectors through rotation_vector_3_compressed_float32
+ * and writes every word of its state and outputs. Not part of the firmware; compiled beside it so that what is
+ * tested is what ships.
  */
 #include <stdint.h>
 
 #include "rotation_vector_3_compressed_float32.h"
 
 #if ROTATION_VECTOR_3_COMPRESSED_FLOAT32_VERSION != 1
-#error "rotation_vector_3_compressed_float32_run.c and rotation_vector_3_compressed_float32.h are of different versions: generate both again"
+#error "rotation_vector_3_compressed_float32.h is of another version than this file: generate both again"
 #endif
 
-void rotation_vector_3_compressed_float32_run(int32_t rows, const int32_t *restart, const float *attitude,
-    const float *before, const float *input, float *words, int32_t *contracted);
+void rotation_vector_3_compressed_float32_run(int32_t rows, const int32_t *restart,
+    const float *attitude, const float *before, const float *input,
+    float *words, int32_t *contracted);
 int rotation_vector_3_compressed_float32_contracts(void);
 
 /* 1 + e and 1 + 2e, its square when that is rounded; e = 2^-13. Volatile: the compiler computes nothing. */
-static volatile float rotation_vector_3_compressed_float32_contracts_float[2] = {1.0001220703125F, 1.000244140625F};
+static volatile float probe_float[2] = {1.0001220703125F, 1.000244140625F};
 
-static int rotation_vector_3_compressed_float32_contracts_float_plain(void)
+/* Volatile here too: comparing the difference with zero could become comparing its two sides. */
+static int probe_float_left(float remainder)
 {
-    const float a = rotation_vector_3_compressed_float32_contracts_float[0];
-    const float expression = (a * a) - rotation_vector_3_compressed_float32_contracts_float[1];
-    const float b = rotation_vector_3_compressed_float32_contracts_float[0];
-    const float c = rotation_vector_3_compressed_float32_contracts_float[1];
+    const volatile float left = remainder;
+    return (left < 0.0F) || (left > 0.0F);
+}
+
+static int probe_float_plain(void)
+{
+    const float a = probe_float[0];
+    const float expression = (a * a) - probe_float[1];
+    const float b = probe_float[0];
+    const float c = probe_float[1];
     const float forward = b * b;
     const float subtracted = forward - c;
-    const float d = rotation_vector_3_compressed_float32_contracts_float[0];
-    const float e = rotation_vector_3_compressed_float32_contracts_float[1];
+    const float d = probe_float[0];
+    const float e = probe_float[1];
     const float backward = d * d;
     const float reversed = e - backward;
-    return (expression != 0.0F) || (subtracted != 0.0F) || (reversed != 0.0F);
+    return probe_float_left(expression) || probe_float_left(subtracted) || probe_float_left(reversed);
 }
 
 /* 1 + e and 1 + 2e, its square when that is rounded; e = 2^-27. Volatile: the compiler computes nothing. */
-static volatile double rotation_vector_3_compressed_float32_contracts_double[2] = {1.000000007450580596923828125, 1.00000001490116119384765625};
+static volatile double probe_double[2] = {1.000000007450580596923828125, 1.00000001490116119384765625};
 
-static int rotation_vector_3_compressed_float32_contracts_double_plain(void)
+/* Volatile here too: comparing the difference with zero could become comparing its two sides. */
+static int probe_double_left(double remainder)
 {
-    const double a = rotation_vector_3_compressed_float32_contracts_double[0];
-    const double expression = (a * a) - rotation_vector_3_compressed_float32_contracts_double[1];
-    const double b = rotation_vector_3_compressed_float32_contracts_double[0];
-    const double c = rotation_vector_3_compressed_float32_contracts_double[1];
-    const double forward = b * b;
-    const double subtracted = forward - c;
-    const double d = rotation_vector_3_compressed_float32_contracts_double[0];
-    const double e = rotation_vector_3_compressed_float32_contracts_double[1];
-    const double backward = d * d;
-    const double reversed = e - backward;
-    return (expression != 0.0) || (subtracted != 0.0) || (reversed != 0.0);
+    const volatile double left = remainder;
+    return (left < 0.0) || (left > 0.0);
 }
 
-static void rotation_vector_3_compressed_float32_contracts_float_lanes(const float *restrict a, const float *restrict c, float *restrict o)
+static int probe_double_plain(void)
+{
+    const double a = probe_double[0];
+    const double expression = (a * a) - probe_double[1];
+    const double b = probe_double[0];
+    const double c = probe_double[1];
+    const double forward = b * b;
+    const double subtracted = forward - c;
+    const double d = probe_double[0];
+    const double e = probe_double[1];
+    const double backward = d * d;
+    const double reversed = e - backward;
+    return probe_double_left(expression) || probe_double_left(subtracted) || probe_double_left(reversed);
+}
+
+static void probe_float_lanes(const float *restrict a, const float *restrict c, float *restrict o)
 {
     const float m0 = a[0] * a[0];
     const float m1 = a[1] * a[1];
@@ -61,7 +77,7 @@ static void rotation_vector_3_compressed_float32_contracts_float_lanes(const flo
     o[3] = m3 + c[3];
 }
 
-static void rotation_vector_3_compressed_float32_contracts_double_lanes(const double *restrict a, const double *restrict c, double *restrict o)
+static void probe_double_lanes(const double *restrict a, const double *restrict c, double *restrict o)
 {
     const double m0 = a[0] * a[0];
     const double m1 = a[1] * a[1];
@@ -70,17 +86,17 @@ static void rotation_vector_3_compressed_float32_contracts_double_lanes(const do
 }
 
 /* Called through volatile pointers: inlined, the lanes would be scalars again and would not be paired. */
-static void (*volatile rotation_vector_3_compressed_float32_contracts_float_call)(const float *restrict a, const float *restrict c,
-                                        float *restrict o) = rotation_vector_3_compressed_float32_contracts_float_lanes;
-static void (*volatile rotation_vector_3_compressed_float32_contracts_double_call)(const double *restrict a, const double *restrict c,
-                                         double *restrict o) = rotation_vector_3_compressed_float32_contracts_double_lanes;
+static void (*volatile probe_float_call)(const float *restrict a, const float *restrict c,
+                                        float *restrict o) = probe_float_lanes;
+static void (*volatile probe_double_call)(const double *restrict a, const double *restrict c,
+                                         double *restrict o) = probe_double_lanes;
 
-static int rotation_vector_3_compressed_float32_contracts_paired(void)
+static int probe_paired(void)
 {
-    const float a = rotation_vector_3_compressed_float32_contracts_float[0];
-    const float c = rotation_vector_3_compressed_float32_contracts_float[1];
-    const double x = rotation_vector_3_compressed_float32_contracts_double[0];
-    const double z = rotation_vector_3_compressed_float32_contracts_double[1];
+    const float a = probe_float[0];
+    const float c = probe_float[1];
+    const double x = probe_double[0];
+    const double z = probe_double[1];
     const float as[4] = {a, a, a, a};
     const float cs[4] = {c, -c, c, -c};
     const double xs[2] = {x, x};
@@ -88,22 +104,22 @@ static int rotation_vector_3_compressed_float32_contracts_paired(void)
     float o[4];
     double w[2];
     int narrow;
-    rotation_vector_3_compressed_float32_contracts_float_call(as, cs, o);
-    rotation_vector_3_compressed_float32_contracts_double_call(xs, zs, w);
-    narrow = (o[0] != 0.0F) || (o[1] != 0.0F) || (o[2] != 0.0F) || (o[3] != 0.0F);
-    return narrow || (w[0] != 0.0) || (w[1] != 0.0);
+    probe_float_call(as, cs, o);
+    probe_double_call(xs, zs, w);
+    narrow = probe_float_left(o[0]) || probe_float_left(o[1]) || probe_float_left(o[2]) || probe_float_left(o[3]);
+    return narrow || probe_double_left(w[0]) || probe_double_left(w[1]);
 }
 
 /* Tells whether this build fuses products with sums: bit 0 = alone, bit 1 = in neighbouring lanes. */
 int rotation_vector_3_compressed_float32_contracts(void)
 {
-    return ((rotation_vector_3_compressed_float32_contracts_float_plain() || rotation_vector_3_compressed_float32_contracts_double_plain()) ? 1 : 0) | (rotation_vector_3_compressed_float32_contracts_paired() ? 2 : 0);
+    return ((probe_float_plain() || probe_double_plain()) ? 1 : 0) | (probe_paired() ? 2 : 0);
 }
 
-
 /* restart: 0 goes on, 1 is init, 2 is set_quaternion with the row's attitude. */
-void rotation_vector_3_compressed_float32_run(int32_t rows, const int32_t *restart, const float *attitude,
-    const float *before, const float *input, float *words, int32_t *contracted)
+void rotation_vector_3_compressed_float32_run(int32_t rows, const int32_t *restart,
+    const float *attitude, const float *before, const float *input,
+    float *words, int32_t *contracted)
 {
     rotation_vector_3_compressed_float32_state state = ROTATION_VECTOR_3_COMPRESSED_FLOAT32_STATE_INIT;
     for (int32_t row = 0; row < rows; ++row) {

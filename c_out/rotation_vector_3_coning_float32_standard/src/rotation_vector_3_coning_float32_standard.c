@@ -35,7 +35,7 @@
 #include "rotation_vector_3_coning_float32_standard.h"
 
 #if ROTATION_VECTOR_3_CONING_FLOAT32_STANDARD_VERSION != 1
-#error "rotation_vector_3_coning_float32_standard.c and rotation_vector_3_coning_float32_standard.h are of different versions: generate both again"
+#error "rotation_vector_3_coning_float32_standard.h is of another version than this file: generate both again"
 #endif
 
 #if defined(__clang__)

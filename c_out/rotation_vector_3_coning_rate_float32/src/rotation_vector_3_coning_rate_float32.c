@@ -36,7 +36,7 @@
 #include "rotation_vector_3_coning_rate_float32.h"
 
 #if ROTATION_VECTOR_3_CONING_RATE_FLOAT32_VERSION != 1
-#error "rotation_vector_3_coning_rate_float32.c and rotation_vector_3_coning_rate_float32.h are of different versions: generate both again"
+#error "rotation_vector_3_coning_rate_float32.h is of another version than this file: generate both again"
 #endif
 
 #if defined(__clang__)

@@ -24,6 +24,8 @@ SOURCES: Mapping[str, Source] = {
     "compressed": Source("ignagni1990", "compressed coning, derived here"),
 }
 SYMMETRIC = frozenset({"cyclic", "flip", "time-reversal", "constant-rate"})
+LEFT_TO_RIGHT = SYMMETRIC - {"time-reversal"}
+"""Symmetric weights, but a sum of three or more increments in their order: reversing time reorders it."""
 ONE_SIDED = frozenset({"cyclic", "flip"})
 
 
@@ -67,6 +69,7 @@ def _multiple(n: int, coefficients: str) -> Algorithm:
     pairs = weights.pair_weights(n, coefficients)
     source = SOURCES[coefficients]
     lopsided = coefficients == "compressed" and n > 2
+    symmetric_as_written = SYMMETRIC if n == 2 else LEFT_TO_RIGHT
 
     @algorithm(
         f"rotation-vector-{n}-{coefficients}",
@@ -74,6 +77,7 @@ def _multiple(n: int, coefficients: str) -> Algorithm:
         subsamples=n,
         order=3 if lopsided else 4,
         properties=ONE_SIDED if lopsided else SYMMETRIC,
+        written_properties=ONE_SIDED if coefficients == "compressed" else symmetric_as_written,
         summary=_written_text(n, pairs, coefficients),
     )
     def multiple(q: Quaternion, dtheta: Vectors) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -96,16 +97,38 @@ def _scalar_function(routine: Routine, program: Program, number: Floating) -> Fu
 
 
 def _signature(start: str, arguments: Sequence[str]) -> str:
-    """Return a signature on one line, or with its arguments on a second where it would be too long."""
+    """Return a signature on one line, or with its arguments on lines of their own where it would be too long."""
     given = ", ".join(arguments) or "void"
     if len(start) + len(given) <= LINE:
         return f"{start}({given})"
-    return f"{start}(\n{INDENT}{given})"
+    rows = [arguments[0]]
+    for argument in arguments[1:]:
+        if len(f"{INDENT}{rows[-1]}, {argument}") <= LINE:
+            rows[-1] += f", {argument}"
+        else:
+            rows.append(argument)
+    return f"{start}(\n{INDENT}" + f",\n{INDENT}".join(rows) + ")"
 
 
 def components(block: Block) -> list[str]:
     """Return the names of a callee's scalar arguments."""
     return [f"{block.name}_in{i}" for i in range(block.size)]
+
+
+def result_array(call: Call, routine: Routine) -> str:
+    """Return how the array is called that takes what a call gives: after its first result that is used."""
+    return f"{next(routine.names[result] for result in call.results if result in routine.names)}_result"
+
+
+def unused(routine: Routine, scalar: bool) -> list[str]:
+    """Return the input arguments of a routine's function that its body does not look at."""
+    read = [each.place for each in walk(routine.body) if isinstance(each, Operation) and each.place]
+    if any(isinstance(each, Choose) for each in routine.body):
+        return []
+    if scalar:
+        seen = {f"{place.block}_in{place.index.constant}" for place in read}
+        return [name for block in routine.having(Role.INPUT) for name in components(block) if name not in seen]
+    return [block.name for block in routine.having(Role.INPUT) if all(place.block != block.name for place in read)]
 
 
 def writes_state(routine: Routine) -> bool:
@@ -127,11 +150,13 @@ def literal(constant: Fraction, exact: Fraction | None, number: Floating) -> str
 class _Printer:
     def __init__(self, routine: Routine, program: Program, number: Floating, scalar: bool = False) -> None:
         self.routine, self.program, self.number, self.scalar = routine, program, number, scalar
-        self.literals = {
-            each.result: literal(each.constant, each.exact, number)
+        literals = [
+            (each, each.constant)
             for each in walk(routine.body)
             if isinstance(each, Operation) and each.op is MachineOp.LITERAL and each.constant is not None
-        }
+        ]
+        self.constants = {each.result: constant for each, constant in literals}
+        self.literals = {each.result: literal(constant, each.exact, number) for each, constant in literals}
         self.shown: int | None = None
 
     def lines(self) -> Iterator[str]:
@@ -141,6 +166,8 @@ class _Printer:
             yield f"{INDENT}static const {self.number.ctype} {block.name}[{block.size}] = {{ {entries} }};"
         for block in self.routine.having(Role.LOCAL):
             yield f"{INDENT}{self.number.ctype} {block.name}[{block.size}];"
+        for name in unused(self.routine, self.scalar):
+            yield f"{INDENT}(void){name};"
         yield from self._body(self.routine.body, 1)
 
     def _body(self, body: Sequence[Statement], depth: int) -> Iterator[str]:
@@ -152,6 +179,8 @@ class _Printer:
             match statement:
                 case Loop(counter, first, last, inner):
                     yield f"{indent}for (int32_t {counter} = {first}; {counter} <= {last}; ++{counter}) {{"
+                    if inner[0].step != statement.step:
+                        self.shown = None  # the heading inside stands right under the brace
                     yield from self._body(inner, depth + 1)
                     yield f"{indent}}}"
                 case Choose(place, cases, otherwise):
@@ -168,7 +197,11 @@ class _Printer:
         self.shown = number
         step = self.routine.steps[number]
         if step.text:
-            yield f"{indent}/* {step.text}{f'   [{step.equation}]' if step.equation else ''} */"
+            text = f"{step.text}{f'   [{step.equation}]' if step.equation else ''}"
+            text = text.replace("*/", "* /").replace("/*", "/ *")
+            separator = f"\n{indent} * "
+            lines = textwrap.wrap(text, LINE, break_long_words=False, break_on_hyphens=False)
+            yield f"{indent}/* {separator.join(lines)} */"
 
     def _simple(self, statement: Statement) -> Iterator[str]:
         ctype = self.number.ctype
@@ -184,16 +217,17 @@ class _Printer:
                 else:
                     raise UnprintableError(f"{self.routine.name}: {op} must be lowered before it is printed")
             case Write(place, value):
-                yield f"{self._place(place)} = {self._use(value)};"
+                yield f"{self._place(place)} = {self._stored(place, value)};"
             case Advance(place):
                 yield f"{self._place(place)} = {self._place(place)} + 1;"
             case Call(name, args, results):
-                array = f"{self.routine.names[results[0]]}_result"
+                array = result_array(statement, self.routine)
                 given = ", ".join([*map(self._use, args), array])
                 yield f"{ctype} {array}[{len(results)}];"
                 yield f"{self.program.name}_{name}({given});"
                 for part, result in enumerate(results):
-                    yield f"const {ctype} {self.routine.names[result]} = {array}[{part}];"
+                    if result in self.routine.names:
+                        yield f"const {ctype} {self.routine.names[result]} = {array}[{part}];"
 
     def _choose(self, place: Place, cases: tuple[tuple[int, str], ...], otherwise: str, indent: str) -> Iterator[str]:
         arguments = ", ".join(["state", *(block.name for block in parameters(self.routine))])
@@ -208,6 +242,11 @@ class _Printer:
 
     def _use(self, value: int) -> str:
         return self.literals.get(value) or self.routine.names[value]
+
+    def _stored(self, place: Place, value: int) -> str:
+        """Return what is written to a place: a counter takes an integer."""
+        integer = self.routine.block(place.block).integer and value in self.constants
+        return str(int(self.constants[value])) if integer else self._use(value)
 
     def _place(self, place: Place) -> str:
         block = self.routine.block(place.block)

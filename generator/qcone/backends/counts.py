@@ -80,7 +80,7 @@ def _body(
                 if statement.constant is not None:
                     constants[statement.result] = statement.constant
                 kind = KINDS[statement.op]
-                if kind == "multiply" and any(_is_power_of_two(constants.get(arg)) for arg in statement.args):
+                if kind == "multiply" and any(is_power_of_two(constants.get(arg)) for arg in statement.args):
                     kind = "power_of_two"
                 if kind:
                     found[kind] += 1
@@ -92,7 +92,8 @@ def _body(
                 found.update({each.name: getattr(inner, each.name) for each in fields(inner)})
 
 
-def _is_power_of_two(value: Fraction | None) -> bool:
+def is_power_of_two(value: Fraction | None) -> bool:
+    """Tell whether a factor is 2^k or -2^k."""
     if not value:
         return False
     top, bottom = abs(value.numerator), value.denominator

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from qcone.backends.c_source import components, field, functions, parameters
+from qcone.backends.c_source import components, field, functions, parameters, result_array, unused
 from qcone.backends.parse_back import Line, UnreadableError, affine, read_functions
 from qcone.formats.floating import Floating
+from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import (
     Advance,
     Call,
     Choose,
-    Index,
     Loop,
     Operation,
     Place,
@@ -80,11 +80,12 @@ class _Reader:
 
     def __init__(self, routine: Routine, program: Program, number: Floating, scalar: bool) -> None:
         self.routine, self.program, self.number, self.scalar = routine, program, number, scalar
-        self.literals = {
-            each.result: self._literal(each.constant)
+        self.constants = {
+            each.result: each.constant
             for each in walk(routine.body)
             if isinstance(each, Operation) and each.constant is not None
         }
+        self.literals = {value: self._literal(constant) for value, constant in self.constants.items()}
 
     def lines(self) -> Iterator[Line]:
         """Yield the expected statements."""
@@ -94,6 +95,7 @@ class _Reader:
             yield Line("array", f"static const {ctype} {block.name}[{block.size}]", entries)
         for block in self.routine.having(Role.LOCAL):
             yield Line("array", f"{ctype} {block.name}[{block.size}]")
+        yield from (Line("unused", name) for name in unused(self.routine, self.scalar))
         yield from self._body(self.routine.body)
 
     def _body(self, body: Sequence[Statement]) -> Iterator[Line]:
@@ -107,17 +109,20 @@ class _Reader:
                     operands = tuple(map(self._use, args)) if place is None else (self._place(place),)
                     yield Line(op.value, names[result], operands, ctype)
                 case Write(place, value):
-                    yield Line("write", self._place(place), (self._use(value),))
+                    integer = self.routine.block(place.block).integer
+                    stored = self.constants.get(value) if integer else None
+                    yield Line("write", self._place(place), (self._use(value) if stored is None else str(stored),))
                 case Advance(place):
                     yield Line("advance", self._place(place))
                 case Loop(counter, first, last, inner):
                     yield Line("loop", counter, (_index(first), _index(last)), "int32_t", tuple(self._body(inner)))
                 case Call(name, args, results):
-                    array = f"{names[results[0]]}_result"
+                    array = result_array(statement, self.routine)
                     yield Line("array", f"{self.number.ctype} {array}[{len(results)}]")
                     yield Line("call", f"{self.program.name}_{name}", (*map(self._use, args), array))
                     for part, result in enumerate(results):
-                        yield Line("read", names[result], (f"{array}[{part}]",), ctype)
+                        if result in names:
+                            yield Line("read", names[result], (f"{array}[{part}]",), ctype)
                 case Choose(place, cases, otherwise):
                     arguments = ("state", *(block.name for block in parameters(self.routine)))
                     calls = [*(name for _, name in cases), otherwise]

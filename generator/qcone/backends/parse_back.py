@@ -46,6 +46,7 @@ def read_functions(header: str, source: str) -> dict[str, tuple[str, tuple[Line,
 
     Raises UnreadableError for text that is not C, or that is C no printer of ours writes.
     """
+    _refuse_directives(source)
     text = TYPES + _bare(header) + _bare(source)
     try:
         tree = CParser().parse(text)
@@ -54,8 +55,23 @@ def read_functions(header: str, source: str) -> dict[str, tuple[str, tuple[Line,
     found = {}
     for node in tree.ext:
         if isinstance(node, c_ast.FuncDef):
-            found[node.decl.name] = (_parameters(node), tuple(_lines(node.body.block_items or ())))
+            try:
+                found[node.decl.name] = (_parameters(node), tuple(_lines(node.body.block_items or ())))
+            except (AttributeError, KeyError, TypeError, ValueError) as error:  # a tree of another shape than ours
+                raise UnreadableError(f"{node.decl.name}: a form that is not emitted: {error}") from error
     return found
+
+
+def _refuse_directives(source: str) -> None:
+    """Refuse what would change the statements unseen: a macro, or statements under a condition."""
+    depth = 0
+    for line in re.sub(r"/\*.*?\*/", " ", source, flags=re.DOTALL).splitlines():
+        word = line.lstrip().removeprefix("#").split(" ")[0] if line.lstrip().startswith("#") else None
+        if word not in (None, "include", "if", "endif", "error", "pragma"):
+            raise UnreadableError(f"a directive that is not emitted: {line.strip()}")
+        depth += {"if": 1, "endif": -1}.get(word or "", 0)
+        if depth and word is None and line.strip():
+            raise UnreadableError(f"a statement under a condition: {line.strip()}")
 
 
 def _bare(text: str) -> str:
@@ -95,6 +111,8 @@ def _lines(items: Sequence[Any]) -> Iterator[Line]:
             case c_ast.FuncCall():
                 arguments = tuple(_operand(each) for each in node.args.exprs)
                 yield Line("call", node.name.name, arguments)
+            case c_ast.Cast() if getattr(node.to_type.type.type, "names", None) == ["void"]:
+                yield Line("unused", _operand(node.expr))
             case c_ast.For():
                 yield _loop(node)
             case c_ast.If():
@@ -109,7 +127,11 @@ def _declaration(node: Any) -> Line:
         return Line("array", _declared(node), entries)
     ctype = _declared(node).removesuffix(node.name).strip()
     value = node.init
+    if value is None:
+        raise UnreadableError(f"a declaration without a value: {node.name}")
     if isinstance(value, c_ast.BinaryOp):
+        if value.op not in OPERATORS:
+            raise UnreadableError(f"an operator that is not emitted: {value.op}")
         return Line(OPERATORS[value.op], node.name, (_operand(value.left), _operand(value.right)), ctype)
     if isinstance(value, c_ast.UnaryOp) and value.op == "-" and not isinstance(value.expr, c_ast.Constant):
         return Line("negate", node.name, (_operand(value.expr),), ctype)
@@ -126,10 +148,15 @@ def _written(node: Any) -> Line:
 
 
 def _loop(node: Any) -> Line:
-    counter = node.init.decls[0]
-    last = _expression(node.cond.right)
-    if node.cond.op != "<=" or node.next.op not in ("++", "p++"):
+    match node.init, node.cond, node.next:
+        case c_ast.DeclList(decls=[counter]), c_ast.BinaryOp(op="<="), c_ast.UnaryOp(op="++" | "p++"):
+            pass
+        case _:
+            raise UnreadableError("a loop that is not emitted")
+    same = _operand(node.cond.left) == _operand(node.next.expr) == counter.name
+    if not same or _declared(counter) != f"int32_t {counter.name}":
         raise UnreadableError(f"a loop over {counter.name} that is not emitted")
+    last = _expression(node.cond.right)
     body = tuple(_lines(node.stmt.block_items or ()))
     return Line("loop", counter.name, (_expression(counter.init), last), "int32_t", body)
 
@@ -201,7 +228,11 @@ def _collect(node: Any, factor: int, terms: dict[str, int]) -> None:
         case c_ast.BinaryOp() if node.op in "+-":
             _collect(node.left, factor, terms)
             _collect(node.right, factor if node.op == "+" else -factor, terms)
-        case c_ast.BinaryOp() if node.op == "*" and isinstance(node.left, c_ast.Constant):
-            _collect(node.right, factor * int(node.left.value), terms)
+        case c_ast.BinaryOp() if node.op == "*":
+            scale: dict[str, int] = {}
+            _collect(node.left, factor, scale)
+            if set(scale) - {""}:
+                raise UnreadableError("an index that is not affine")
+            _collect(node.right, scale.get("", 0), terms)
         case _:
             raise UnreadableError(f"an index that is not emitted: {type(node).__name__}")

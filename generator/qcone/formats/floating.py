@@ -22,7 +22,7 @@ class Floating:
     suffix: str
 
     def ulp(self, value: Fraction) -> Fraction:
-        """Return the spacing of numbers of this format at `value` (the spacing below, for a power of two)."""
+        """Return the spacing of numbers of this format at `value`; at a power of two, the spacing above it."""
         return Fraction(2) ** max(_exponent(abs(value)) - self.precision + 1, self.lowest) if value else self.tiny
 
     @property

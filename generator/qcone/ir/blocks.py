@@ -23,6 +23,8 @@ Number = int | Fraction
 
 def exact(value: object) -> Fraction:
     """Return the number as a Fraction; UsageError for a float or anything else that is not exact."""
+    if not isinstance(value, int | float | complex | Fraction):
+        raise UsageError(f"a scalar or an exact number is needed here, not a {type(value).__name__.lower()}")
     if isinstance(value, bool) or not isinstance(value, int | Fraction):
         raise UsageError(f"a constant must be exact: write it as a fraction, F(9, 20), instead of {value!r}")
     return Fraction(value)
@@ -42,7 +44,8 @@ class Quantity:
         return type(self)(self.builder, tuple(values), group)
 
     def _pairwise(self, kind: str, op: RealOp, other: Self) -> Self:
-        values = [self.builder.emit(op, a, b) for a, b in zip(self.values, other.values, strict=True)]
+        emit = together(self, other).emit
+        values = [emit(op, a, b) for a, b in zip(self.values, other.values, strict=True)]
         return self._like(kind, values, (self.group, other.group))
 
     def __add__(self, other: Self) -> Self:
@@ -65,7 +68,8 @@ class Quantity:
     def _scaled(self, factor: Number | Scalar) -> Self:
         """Return factor times this: one product a component, the factor on the left."""
         if isinstance(factor, Scalar):
-            values = [self.builder.emit(RealOp.MULTIPLY, factor.values[0], value) for value in self.values]
+            emit = together(self, factor).emit
+            values = [emit(RealOp.MULTIPLY, factor.values[0], value) for value in self.values]
             return self._like("product", values, (factor.group, self.group))
         scale = exact(factor)
         values = [self.builder.emit(RealOp.MULTIPLY, self.builder.constant(scale), value) for value in self.values]
@@ -73,13 +77,22 @@ class Quantity:
 
     def _divided(self, divisor: Number | Scalar) -> Self:
         if isinstance(divisor, Scalar):
-            values = [self.builder.emit(RealOp.DIVIDE, value, divisor.values[0]) for value in self.values]
+            emit = together(self, divisor).emit
+            values = [emit(RealOp.DIVIDE, value, divisor.values[0]) for value in self.values]
             return self._like("other", values, (self.group, divisor.group))
         scale = exact(divisor)
         if not scale:
             raise UsageError("a division by zero is written here")
         values = [self.builder.emit(RealOp.DIVIDE, value, self.builder.constant(scale)) for value in self.values]
         return self._like("scale", values, (self.group,), 1 / scale)
+
+
+def together(*quantities: Quantity) -> Builder:
+    """Return the builder of the quantities; UsageError for those of another routine: their values are not there."""
+    builder = quantities[0].builder
+    if any(each.builder is not builder for each in quantities):
+        raise UsageError("a subroutine calculates with its arguments only: hand it every quantity as an argument")
+    return builder
 
 
 class Scalar(Quantity):
@@ -124,7 +137,7 @@ class Scalar(Quantity):
         if isinstance(other, Vector | Quaternion):
             return other._scaled(self)
         if isinstance(other, Scalar):
-            value = self.builder.emit(RealOp.MULTIPLY, self.value, other.value)
+            value = together(self, other).emit(RealOp.MULTIPLY, self.value, other.value)
             return self._like("product", (value,), (self.group, other.group))
         return self._scaled(other)
 
@@ -171,10 +184,10 @@ class Quaternion(Quantity):
         if isinstance(other, Quaternion):
             return self.times(other)
         if isinstance(other, Vector):
-            values = products.hamilton_pure(self.builder.emit, self.values, other.values)
+            values = products.hamilton_pure(together(self, other).emit, self.values, other.values)
             return self._like("product", values, (self.group, other.group))
-        if isinstance(other, int | Fraction | Scalar):
-            return self._scaled(other)
+        if isinstance(other, int | float | Fraction | Scalar):
+            return self._scaled(other if isinstance(other, Scalar) else exact(other))
         return NotImplemented
 
     def __rmul__(self, other: Number) -> Quaternion:
@@ -183,7 +196,7 @@ class Quaternion(Quantity):
 
     def times(self, other: Quaternion) -> Quaternion:
         """Return the Hamilton product as cao (2) writes it."""
-        values = products.hamilton(self.builder.emit, self.values, other.values)
+        values = products.hamilton(together(self, other).emit, self.values, other.values)
         return self._like("product", values, (self.group, other.group))
 
     @property
@@ -217,7 +230,7 @@ def number(value: Number, like: Quantity) -> Scalar:
 def matrix(entries: Sequence[Scalar]) -> Matrix:
     """Return the matrix of nine scalars, row by row; nothing is calculated."""
     values = tuple(entry.value for entry in entries)
-    builder = entries[0].builder
+    builder = together(*entries)
     return Matrix(builder, values, builder.group("other", values, [entry.group for entry in entries]))
 
 
@@ -243,12 +256,12 @@ def _components(quantity: Quantity) -> Iterator[Scalar]:
 
 def cross(a: Vector, b: Vector) -> Vector:
     """Return a x b: six products, three differences."""
-    return a._like("cross", products.cross(a.builder.emit, a.values, b.values), (a.group, b.group))
+    return a._like("cross", products.cross(together(a, b).emit, a.values, b.values), (a.group, b.group))
 
 
 def dot(a: Vector, b: Vector) -> Scalar:
     """Return a . b: three products, two additions, x first."""
-    value = products.dot(a.builder.emit, a.values, b.values)
+    value = products.dot(together(a, b).emit, a.values, b.values)
     return Scalar(a.builder, (value,), a.builder.group("dot", (value,), (a.group, b.group)))
 
 

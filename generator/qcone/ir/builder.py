@@ -11,13 +11,14 @@ from dataclasses import replace
 from fractions import Fraction
 
 from qcone.errors import UsageError
+from qcone.ir.identifier import is_identifier
+from qcone.ir.index import Index
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import (
     SUFFIXES,
     Block,
     Call,
     Group,
-    Index,
     Loop,
     Operation,
     Place,
@@ -27,6 +28,7 @@ from qcone.ir.statement import (
     Statement,
     Step,
     Write,
+    results,
 )
 from qcone.ir.writing import Writing
 
@@ -49,8 +51,12 @@ class Builder:
         self.names: dict[int, str] = {}
         self.groups: list[Group] = []
         self.callees: dict[str, Routine] = {}
+        self.subroutines: dict[str, Routine] = {}
+        """Every routine made on the way, those that callees call among them: a name belongs to one of them."""
         self._heading = heading
         self._scopes: list[list[Statement]] = [[]]
+        self._counters: list[str] = []
+        self._left: set[int] = set()
         self._reads: dict[Place, int] = {}
         self._next = 0
         self._open: Step | None = None
@@ -64,6 +70,7 @@ class Builder:
 
     def emit(self, op: RealOp, *args: int) -> int:
         """Write one operation and return its value."""
+        self._refuse_left(args)
         return self._define(op, args)
 
     def read(self, block: Block, component: Index | int) -> int:
@@ -84,11 +91,13 @@ class Builder:
 
     def write(self, block: Block, component: Index | int, value: int) -> None:
         """Store a value in a component of a block."""
+        self._refuse_left((value,))
         index = component if isinstance(component, Index) else Index(component)
         self._append(Write(Place(block.name, index), value, self._step()))
 
     def call(self, routine: Routine, args: Sequence[int]) -> tuple[int, ...]:
         """Call a routine of scalars and return its output components."""
+        self._refuse_left(args)
         size = sum(block.size for block in routine.having(Role.OUTPUT))
         results = tuple(range(self._next, self._next + size))
         self._next += size
@@ -96,13 +105,27 @@ class Builder:
         self._append(Call(routine.name, tuple(args), results, self._step()))
         return results
 
+    def refuse_open_loop(self) -> None:
+        """Raise UsageError if the author's function, which has returned, left a rolled loop half way."""
+        if self._counters:
+            raise UsageError(
+                f"the loop over '{self._counters[-1]}' is left by break or return; a rolled loop runs to its end: "
+                "give it other bounds"
+            )
+
     def loop(self, counter: str, first: Index, last: Index) -> Iterator[Index]:
         """Open a loop, hand out its counter once, and close it when the author's body has run."""
+        if counter in self._counters or any(block.name == counter for block in self.blocks):
+            raise UsageError(f"the loop counter '{counter}' has the name of another counter or block: rename it")
+        _refuse_odd(counter, "loop counter")
+        self._counters.append(counter)
         self._scopes.append([])
         yield Index(0, ((counter, 1),))
         inner = self._scopes.pop()
+        self._counters.pop()
         self._pending = [(scope, position) for scope, position in self._pending if scope is not inner]
         body = tuple(inner)
+        self._left.update(results(body))
         self._append(Loop(counter, first, last, body, self._step()))
 
     def group(
@@ -121,6 +144,7 @@ class Builder:
         """Add a local history or a table of constants to the routine."""
         if any(block.name == name for block in self.blocks):
             raise UsageError(f"{self.name}: the block '{name}' is declared twice; give each history its own name")
+        _refuse_odd(name, role.value if role is Role.TABLE else "history")
         block = Block(name, shape, role, count, entries=tuple(entries))
         self.blocks.append(block)
         return block
@@ -134,6 +158,14 @@ class Builder:
             statement = scope[position]
             scope[position] = _with_step(statement, number)
         self._pending.clear()
+
+    def settle(self, but_last: bool = False) -> None:
+        """Leave what has a heading of its own under it: the next named step covers only what is written from here on.
+
+        With `but_last`, that step covers the statements under the latest heading too.
+        """
+        last = self._heading_of(self._pending[-1]) if self._pending and but_last else Step("")
+        self._pending = [each for each in self._pending if self._heading_of(each) in (last, Step(""))]
 
     def name_values(self, name: str, shape: Shape, values: Sequence[int]) -> None:
         """Name the components of a block; a value that has a name keeps it."""
@@ -159,6 +191,10 @@ class Builder:
         self._append(Operation(value, op, args, constant, place, self._step()))
         return value
 
+    def _refuse_left(self, values: Sequence[int]) -> None:
+        if not self._left.isdisjoint(values):
+            raise UsageError("what is calculated inside a rolled loop is used outside it: keep it in a history")
+
     def _append(self, statement: Statement) -> None:
         scope = self._scopes[-1]
         scope.append(statement)
@@ -167,10 +203,25 @@ class Builder:
     def _step(self) -> int:
         return self._number((self._heading() if self._heading else None) or Step(""))
 
+    def _heading_of(self, written: tuple[list[Statement], int]) -> Step:
+        """Return the step of a written statement; that of its first statement for a loop, which has none itself."""
+        statement = written[0][written[1]]
+        while isinstance(statement, Loop) and statement.body:
+            statement = statement.body[0]
+        return self.steps[statement.step]
+
     def _number(self, step: Step) -> int:
         if step not in self.steps:
             self.steps.append(step)
         return self.steps.index(step)
+
+
+def _refuse_odd(name: str, what: str) -> None:
+    if not is_identifier(name):
+        raise UsageError(
+            f"the {what} '{name}' cannot be called so in C: use a letter, then letters, digits and underscores, "
+            "and no word of the language"
+        )
 
 
 def _with_step(statement: Statement, number: int) -> Statement:

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from enum import Enum
 
-from qcone.errors import QconeError
+from qcone.errors import QconeError, UsageError
 from qcone.ir import machine, operations
+from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import (
     Advance,
     Call,
     Choose,
-    Index,
     Loop,
     Operation,
     Place,
@@ -22,6 +22,8 @@ from qcone.ir.statement import (
     Routine,
     Statement,
     Write,
+    reachable,
+    walk,
 )
 
 
@@ -29,6 +31,8 @@ class IllegalRoutineError(QconeError):
     """A pass left a routine that breaks a rule of its language: a bug of ours (exit code 70)."""
 
 
+Turns = Sequence[Mapping[str, int]]
+"""Every combination of loop counters a statement is run with: loops are short, and so nothing is guessed."""
 ARITY: Mapping[Enum, int] = dict((*operations.ARITY.items(), *machine.ARITY.items()))
 
 
@@ -41,13 +45,21 @@ def check(routine: Routine, language: type[Enum]) -> Routine:
 
 
 def check_program(program: Program, language: type[Enum]) -> Program:
-    """Check every routine, and that each block of the state is the same wherever it appears."""
+    """Check every routine, and that each block of the state is the same wherever it appears.
+
+    Raises UsageError where two functions would have one name: an author's subroutine has a name that is taken.
+    """
     state = {block.name: block for block in program.state}
     for routine in program.routines:
         check(routine, language)
         for block in routine.having(Role.STATE):
             if state.get(block.name) != block:
                 raise IllegalRoutineError(f"{routine.name}: the state has no block {block}")
+    known = {routine.name: routine for routine in program.routines}
+    for routine in program.routines:
+        for callee in reachable(routine):
+            if known.setdefault(callee.name, callee) != callee:
+                raise UsageError(f"the subroutine '{callee.name}' has the name of another function: rename it")
     return program
 
 
@@ -58,38 +70,44 @@ class _Checker:
         self.written: set[str] = set()
 
     def run(self) -> None:
-        self._body(self.routine.body, {}, frozenset())
+        self._body(self.routine.body, ({},), frozenset())
 
-    def _body(
-        self, body: Sequence[Statement], counters: Mapping[str, tuple[int, int]], visible: frozenset[int]
-    ) -> None:
+    def _body(self, body: Sequence[Statement], turns: Turns, visible: frozenset[int]) -> None:
         known = set(visible)
         for statement in body:
             if not 0 <= statement.step < len(self.routine.steps):
                 self._fail(statement, f"step {statement.step} is not in the routine")
             match statement:
                 case Operation():
-                    self._operation(statement, counters, known)
+                    self._operation(statement, turns, known)
                 case Write():
                     self._use(statement, (statement.value,), known)
-                    self._place(statement, statement.place, counters)
+                    self._place(statement, statement.place, turns)
                     if self.routine.block(statement.place.block).role in (Role.INPUT, Role.TABLE):
                         self._fail(statement, f"'{statement.place.block}' is read only")
                     self.written.add(statement.place.block)
                 case Loop():
-                    first, last = _span(statement.first, counters)[0], _span(statement.last, counters)[1]
-                    if statement.counter in counters:
-                        self._fail(statement, f"the counter '{statement.counter}' is in use")
-                    self._body(statement.body, {**counters, statement.counter: (first, last)}, frozenset(known))
+                    self._loop(statement, turns, known)
                 case Call():
                     self._call(statement, known)
                 case Advance():
-                    self._place(statement, statement.place, counters)
+                    self._place(statement, statement.place, turns)
                 case Choose():
-                    if len(body) != 1 or counters:
+                    if body is not self.routine.body or len(body) != 1:
                         self._fail(statement, "a routine that hands its call on does nothing else")
 
-    def _operation(self, statement: Operation, counters: Mapping[str, tuple[int, int]], known: set[int]) -> None:
+    def _loop(self, statement: Loop, turns: Turns, known: set[int]) -> None:
+        """Check the body once, for every combination of counters it will run with."""
+        if any(statement.counter in counters for counters in turns):
+            self._fail(statement, f"the counter '{statement.counter}' is in use")
+        self._counted(statement, statement.first, turns)
+        self._counted(statement, statement.last, turns)
+        written = (each.place.block for each in walk(statement.body) if isinstance(each, Write))
+        self.written.update(written)  # what one turn writes, the next one reads
+        inside = [{**counters, statement.counter: turn} for counters in turns for turn in statement.turns(counters)]
+        self._body(statement.body, inside, frozenset(known))
+
+    def _operation(self, statement: Operation, turns: Turns, known: set[int]) -> None:
         op = statement.op
         if not isinstance(op, self.language):
             self._fail(statement, f"{op} is not of the language {self.language.__name__}")
@@ -101,7 +119,7 @@ class _Checker:
         if (statement.place is not None) != (op in (RealOp.READ, MachineOp.READ)):
             self._fail(statement, "a read, and nothing else, holds a place")
         if statement.place is not None:
-            self._place(statement, statement.place, counters)
+            self._place(statement, statement.place, turns)
             block = self.routine.block(statement.place.block)
             if block.role is Role.STATE and block.name in self.written:
                 self._fail(statement, f"the state '{block.name}' is read after it was written")
@@ -122,15 +140,21 @@ class _Checker:
         for result in statement.results:
             self._define(statement, result, known)
 
-    def _place(self, statement: Statement, place: Place, counters: Mapping[str, tuple[int, int]]) -> None:
+    def _place(self, statement: Statement, place: Place, turns: Turns) -> None:
         try:
             block = self.routine.block(place.block)
         except KeyError:
             self._fail(statement, f"there is no block '{place.block}'")
             return
-        low, high = _span(place.index, counters)
-        if low < 0 or high >= block.size:
+        self._counted(statement, place.index, turns)
+        reached = {place.index.at(counters) for counters in turns}
+        if reached and not 0 <= min(reached) <= max(reached) < block.size:
             self._fail(statement, f"{place} is outside the {block.size} components of '{block.name}'")
+
+    def _counted(self, statement: Statement, index: Index, turns: Turns) -> None:
+        for name, _ in index.terms:
+            if any(name not in counters for counters in turns):
+                self._fail(statement, f"index {index}: there is no loop over '{name}' here")
 
     def _use(self, statement: Statement, args: Sequence[int], known: set[int]) -> None:
         for arg in args:
@@ -145,14 +169,3 @@ class _Checker:
 
     def _fail(self, statement: Statement, why: str) -> None:
         raise IllegalRoutineError(f"routine '{self.routine.name}': {statement}: {why}")
-
-
-def _span(index: Index, counters: Mapping[str, tuple[int, int]]) -> tuple[int, int]:
-    """Return the least and the greatest value of an index over the ranges of its counters."""
-    low = high = index.constant
-    for name, factor in index.terms:
-        if name not in counters:
-            raise IllegalRoutineError(f"index {index}: there is no loop over '{name}' here")
-        ends = [factor * end for end in counters[name]]
-        low, high = low + min(ends), high + max(ends)
-    return low, high

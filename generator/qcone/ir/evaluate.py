@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from qcone.errors import UsageError
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Role, Routine, Statement, Write
 
@@ -44,7 +45,8 @@ class Outcome:
 def evaluate(routine: Routine, inputs: Mapping[str, Sequence[Any]], numbers: Numbers = EXACT) -> Outcome:
     """Run the routine on component lists for its state and input blocks.
 
-    Raises KeyError for a block that is not given and ArithmeticError for an operation the numbers lack.
+    Raises KeyError for a block that is not given, ArithmeticError for an operation the numbers lack, and
+    UsageError for a component that is read before it is written.
     """
     memory: dict[str, list[Any]] = {}
     for block in routine.blocks:
@@ -61,6 +63,23 @@ def evaluate(routine: Routine, inputs: Mapping[str, Sequence[Any]], numbers: Num
         memory[name][index] = value
     named = {routine.names[key]: value for key, value in values.items() if key in routine.names}
     return Outcome(memory, named)
+
+
+def agree(one: Routine, other: Routine) -> bool:
+    """Tell whether two routines over the same state and inputs give the same, exactly, on one set of odd fractions.
+
+    Rational functions that differ do so almost everywhere. A routine with a root, a sine or a cosine, or one
+    that hands its call on, has no exact value: it agrees with anything.
+    """
+    taken = [block for block in one.blocks if block.role in (Role.STATE, Role.INPUT)]
+    numbers = iter(Fraction(k * k % 101 + 1, 97 + 2 * k) for k in range(1, 1 + sum(block.size for block in taken)))
+    inputs = {block.name: [next(numbers) for _ in range(block.size)] for block in taken}
+    try:
+        first, second = evaluate(one, inputs), evaluate(other, inputs)
+    except ArithmeticError:
+        return True
+    given = [block.name for block in one.blocks if block.role in (Role.STATE, Role.OUTPUT)]
+    return all(first.blocks[name] == second.blocks[name] for name in given)
 
 
 def _run(
@@ -127,7 +146,10 @@ def _value(
             return numbers.of(operation.constant)
         case RealOp.READ:
             assert operation.place is not None
-            return memory[operation.place.block][operation.place.index.at(counters)]
+            found = memory[operation.place.block][operation.place.index.at(counters)]
+            if found is None:
+                raise UsageError(f"{operation.place} is read before it is written, at {counters or 'its first use'}")
+            return found
         case RealOp.ADD | RealOp.ACCUMULATE:
             return args[0] + args[1]
         case RealOp.SUBTRACT:

@@ -12,7 +12,8 @@ from typing import Any
 from qcone.errors import UsageError
 from qcone.ir.blocks import Number, Quantity, Scalar, exact, of
 from qcone.ir.builder import Builder
-from qcone.ir.statement import Block, Index, Role, Shape
+from qcone.ir.index import Index
+from qcone.ir.statement import Block, Role, Shape
 
 
 class History:
@@ -30,8 +31,9 @@ class History:
         """Store an entry."""
         if quantity.shape is not self._block.shape:
             raise UsageError(f"history '{self._block.name}' holds {self._block.shape.name.lower()}s")
-        if isinstance(index, int) and not 0 <= index < self._block.count:
-            raise UsageError(f"history '{self._block.name}' has entries 0 to {self._block.count - 1}, not {index}")
+        self._refuse_outside(index)
+        if quantity.builder is not self._builder:
+            raise UsageError("a subroutine calculates with its arguments only: hand it every quantity as an argument")
         if not self._builder.writing.rolled and isinstance(index, int):
             self._written[index] = quantity
             return
@@ -41,6 +43,7 @@ class History:
 
     def __getitem__(self, index: Index | int) -> Any:
         """Read an entry."""
+        self._refuse_outside(index)
         if not self._builder.writing.rolled and isinstance(index, int):
             if index not in self._written:
                 raise UsageError(f"history '{self._block.name}': entry {index} is read before it is written")
@@ -48,6 +51,10 @@ class History:
         base = index * self._block.shape.value
         values = [self._builder.read(self._block, base + part) for part in range(self._block.shape.value)]
         return of(self._builder, self._block.shape, values)
+
+    def _refuse_outside(self, index: Index | int) -> None:
+        if isinstance(index, int) and not 0 <= index < self._block.count:
+            raise UsageError(f"history '{self._block.name}' has entries 0 to {self._block.count - 1}, not {index}")
 
 
 def history(name: str, like: Quantity, count: int) -> History:
@@ -66,6 +73,8 @@ class Table:
     def __getitem__(self, index: Index | int) -> Scalar:
         """Read a constant."""
         if isinstance(index, int):
+            if not 0 <= index < self._block.count:
+                raise UsageError(f"table '{self._block.name}' has entries 0 to {self._block.count - 1}, not {index}")
             value = self._builder.constant(self._block.entries[index])
         else:
             value = self._builder.read(self._block, index)

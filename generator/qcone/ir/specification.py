@@ -32,7 +32,8 @@ class Algorithm:
     the increments before them, newest first). It returns the new attitude. `written` is the paper's own
     form where that differs. `startup` serves the first updates after a restart, until the history is full.
     `order` is the global order of accuracy in general motion; `properties` are the symmetries that hold
-    to the last bit: "cyclic", "flip", "time-reversal", "constant-rate".
+    to the last bit: "cyclic", "flip", "time-reversal", "constant-rate"; `written_properties` are those of
+    the paper's own form, where its order of operations keeps fewer.
     """
 
     name: str
@@ -44,6 +45,7 @@ class Algorithm:
     startup: Algorithm | None = None
     order: int | None = None
     properties: frozenset[str] = field(default_factory=frozenset)
+    written_properties: frozenset[str] | None = None
     errata: tuple[str, ...] = ()
     summary: str = ""
 
@@ -56,6 +58,12 @@ class Algorithm:
         """Return the author's function for a form, "as-written" or "factored"."""
         return self.written if form == "as-written" and self.written is not None else self.write
 
+    def claims(self, form: str) -> frozenset[str]:
+        """Return the symmetries claimed to hold to the last bit for a form, "as-written" or "factored"."""
+        if form == "as-written" and self.written_properties is not None:
+            return self.written_properties
+        return self.properties
+
 
 def algorithm(
     name: str,
@@ -65,6 +73,7 @@ def algorithm(
     previous: int = 0,
     order: int | None = None,
     properties: frozenset[str] = frozenset(),
+    written_properties: frozenset[str] | None = None,
     startup: Algorithm | None = None,
     errata: tuple[str, ...] = (),
     summary: str = "",
@@ -88,6 +97,7 @@ def algorithm(
             previous=previous,
             order=order,
             properties=properties,
+            written_properties=written_properties,
             startup=startup,
             errata=errata,
             summary=summary,

@@ -15,6 +15,7 @@ from fractions import Fraction
 from types import MappingProxyType
 
 from qcone.formats.floating import Floating
+from qcone.ir.index import FIRST, Index
 
 
 class Shape(Enum):
@@ -71,62 +72,11 @@ class Block:
 
 
 @dataclass(frozen=True)
-class Index:
-    """A component number, affine in the counters of the loops around it."""
-
-    constant: int = 0
-    terms: tuple[tuple[str, int], ...] = ()
-
-    def at(self, counters: Mapping[str, int]) -> int:
-        """Return the number for the given values of the loop counters."""
-        return self.constant + sum(factor * counters[name] for name, factor in self.terms)
-
-    def __add__(self, other: Index | int) -> Index:
-        """Add a number or another affine index."""
-        if isinstance(other, int):
-            return Index(self.constant + other, self.terms)
-        factors = dict(self.terms)
-        for name, factor in other.terms:
-            factors[name] = factors.get(name, 0) + factor
-        kept = tuple((name, factor) for name, factor in factors.items() if factor)
-        return Index(self.constant + other.constant, kept)
-
-    __radd__ = __add__
-
-    def __mul__(self, factor: int) -> Index:
-        """Scale by a whole number."""
-        terms = tuple((name, factor * each) for name, each in self.terms if factor * each)
-        return Index(self.constant * factor, terms)
-
-    __rmul__ = __mul__
-
-    def __sub__(self, other: Index | int) -> Index:
-        """Subtract a number or another affine index."""
-        return self + (-other if isinstance(other, int) else other * -1)
-
-    def __rsub__(self, other: int) -> Index:
-        """Subtract this index from a number."""
-        return self * -1 + other
-
-    def __str__(self) -> str:
-        """Return the index as C writes it: `3*n + j - 1`."""
-        text = ""
-        for name, factor in self.terms:
-            part = name if abs(factor) == 1 else f"{abs(factor)} * {name}"
-            text += (" - " if factor < 0 else " + ") + part if text else ("-" if factor < 0 else "") + part
-        if not text:
-            return str(self.constant)
-        if self.constant:
-            text += f" {'-' if self.constant < 0 else '+'} {abs(self.constant)}"
-        return text
-
-
-@dataclass(frozen=True)
 class Place:
     """One component of a block."""
 
     block: str
-    index: Index = Index()
+    index: Index = FIRST
 
     def __str__(self) -> str:
         """Return `block[index]`."""
@@ -275,6 +225,22 @@ class Program:
     def has(self, name: str) -> bool:
         """Tell whether there is a routine of that name."""
         return any(routine.name == name for routine in self.routines)
+
+
+def reachable(routine: Routine) -> Iterator[Routine]:
+    """Yield the routines that a routine calls, those they call first."""
+    for callee in routine.callees.values():
+        yield from reachable(callee)
+        yield callee
+
+
+def results(body: tuple[Statement, ...]) -> Iterator[int]:
+    """Yield every value that the statements define, those inside loops too."""
+    for statement in walk(body):
+        if isinstance(statement, Operation):
+            yield statement.result
+        elif isinstance(statement, Call):
+            yield from statement.results
 
 
 def walk(body: tuple[Statement, ...]) -> Iterator[Statement]:

@@ -54,6 +54,7 @@ def attitude(algorithm: Algorithm, form: str, builder: Builder, arguments: Mappi
     names: dict[str, Any] = {}
     try:
         result = _run(function, {name: arguments[name] for name in wanted}, names)
+        builder.refuse_open_loop()
     except QconeError as error:
         raise type(error)(f"{_place(function, error)}: algorithm '{algorithm.name}': {error}") from error
     except Exception as error:  # the author's code may fail in any way; it is shown as the author's mistake
@@ -71,10 +72,11 @@ def _finish(result: Any, algorithm: Algorithm, function: Callable[..., Any], bui
     if isinstance(result, Quaternion):
         if not builder.writing.as_written and builder.writing.accumulate != "standard":
             raise UsageError(
-                f"{_place(function)}: algorithm '{algorithm.name}' returns q (x) r as a plain product, which "
-                f'accumulate = "{builder.writing.accumulate}" cannot hold apart from q: return '
-                'q * rotation(u, v) with r = [1 + u, v], or set accumulate = "standard"'
+                f"{_place(function)}: algorithm '{algorithm.name}' returns q (x) r as a plain product, from which "
+                "no increment is held apart: return q * rotation(u, v) with r = [1 + u, v], or set "
+                'accumulate = "standard"'
             )
+        builder.settle(but_last=True)
         return step("q_next = q (x) r", "", result)
     given = type(result).__name__ if not isinstance(result, Rotation) else "a rotation"
     raise UsageError(

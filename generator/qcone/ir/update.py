@@ -18,7 +18,7 @@ from typing import Literal
 
 from qcone.errors import UsageError
 from qcone.ir import products
-from qcone.ir.blocks import Quaternion, Scalar, Vector, dot, number, sqrt, step
+from qcone.ir.blocks import Quaternion, Scalar, Vector, dot, number, sqrt, step, together
 from qcone.ir.operations import RealOp
 
 
@@ -31,6 +31,7 @@ class Update:
 
     def finish(self) -> Quaternion:
         """Write the product out, as the routine's `Writing` says, and return the new attitude."""
+        self.q.builder.settle()
         writing = self.q.builder.writing
         small, v, name = self.rotation.u, self.rotation.v, "u"
         if writing.renormalise:
@@ -65,7 +66,9 @@ class Rotation:
     def __rmul__(self, q: Quaternion) -> Update:
         """Return the update q (x) r, to be returned by the author."""
         if not isinstance(q, Quaternion):
-            raise UsageError(f"a rotation is multiplied from the left by the attitude q, not by {q!r}")
+            raise UsageError(
+                f"a rotation is multiplied from the left by the attitude q, not by a {type(q).__name__.lower()}"
+            )
         return Update(q, self)
 
 
@@ -79,14 +82,14 @@ def _with_renormalisation(q: Quaternion, u: Scalar | None) -> Scalar:
 
 
 def _least_product(p: Quaternion, q: Quaternion) -> Quaternion:
-    values = products.hamilton_least(p.builder.emit, p.values, q.values)
+    values = products.hamilton_least(together(p, q).emit, p.values, q.values)
     return Quaternion(p.builder, values, p.builder.group("product", values, (p.group, q.group)))
 
 
 def quaternion(scalar: Scalar, vector: Vector) -> Quaternion:
     """Return the quaternion [scalar, vector]; nothing is calculated."""
-    values = (*scalar.values, *vector.values)
-    return Quaternion(scalar.builder, values, scalar.builder.group("other", values, (scalar.group, vector.group)))
+    values, builder = (*scalar.values, *vector.values), together(scalar, vector)
+    return Quaternion(builder, values, builder.group("other", values, (scalar.group, vector.group)))
 
 
 def rotation(u: Scalar | Literal[0], v: Vector) -> Rotation | Quaternion:
@@ -103,6 +106,7 @@ def exp(phi: Vector) -> Rotation | Quaternion:
     if not isinstance(phi, Vector):
         raise UsageError(f"exp takes a rotation vector of three components, not {type(phi).__name__}")
     builder = phi.builder
+    builder.settle()
     builder.group("exp", (), (phi.group,))
     if builder.writing.as_written:
         return _exp_as_written(phi)

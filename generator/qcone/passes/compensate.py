@@ -11,11 +11,10 @@ from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
+from qcone.ir.index import Index
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import (
     Block,
-    Call,
-    Index,
     Operation,
     Place,
     Program,
@@ -25,6 +24,7 @@ from qcone.ir.statement import (
     Statement,
     Step,
     Write,
+    results,
     walk,
 )
 from qcone.passes.rebuild import rebuild
@@ -74,9 +74,7 @@ class _Compensation:
         self.names = dict(routine.names)
         self.steps = [*routine.steps]
         self.left: list[int] = []
-        results = [each.result for each in walk(routine.body) if isinstance(each, Operation)]
-        results += [value for each in walk(routine.body) if isinstance(each, Call) for value in each.results]
-        self.next = max(results, default=-1) + 1
+        self.next = max(results(routine.body), default=-1) + 1
 
     def _new(self, name: str, op: RealOp, args: tuple[int, ...], step: int, place: Place | None = None) -> Operation:
         operation = Operation(self.next, op, args, place=place, step=step)

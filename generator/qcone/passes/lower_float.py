@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from fractions import Fraction
 
 from qcone.errors import UsageError
 from qcone.formats.floating import Floating
@@ -31,13 +32,14 @@ def lower_program(program: Program, number: Floating) -> Program:
 def lower_float(routine: Routine, number: Floating) -> Routine:
     """Return the routine in machine operations of one floating-point format.
 
-    Raises UsageError for an operation firmware does without: a square root, a sine or a cosine.
+    Raises UsageError for an operation firmware does without, a square root, a sine or a cosine, and for a
+    constant that the format cannot hold.
     """
 
     def visit(operation: Operation) -> Iterable[Statement]:
         if operation.op is RealOp.CONSTANT and operation.constant is not None:
-            rounded = number.round(operation.constant)
             exact = operation.constant
+            rounded = _rounded(exact, routine, number)
             return (replace(operation, op=MachineOp.LITERAL, constant=rounded, exact=exact, format=number),)
         if operation.op in ONE_FOR_ONE:
             return (replace(operation, op=ONE_FOR_ONE[operation.op], format=number),)
@@ -48,7 +50,15 @@ def lower_float(routine: Routine, number: Floating) -> Routine:
 
     body = rebuild(routine.body, visit, {})
     blocks = tuple(
-        replace(block, entries=tuple(number.round(entry) for entry in block.entries)) for block in routine.blocks
+        replace(block, entries=tuple(_rounded(entry, routine, number) for entry in block.entries))
+        for block in routine.blocks
     )
     callees = {name: lower_float(callee, number) for name, callee in routine.callees.items()}
     return replace(routine, body=body, blocks=blocks, callees=callees)
+
+
+def _rounded(constant: Fraction, routine: Routine, number: Floating) -> Fraction:
+    try:
+        return number.round(constant)
+    except OverflowError as error:
+        raise UsageError(f"the routine '{routine.name}': the constant {error}: scale the equation") from error

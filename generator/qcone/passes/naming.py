@@ -8,31 +8,26 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
+from qcone.ir.identifier import KEYWORDS, identifier
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import SUFFIXES, Call, Loop, Operation, Place, Routine, Statement, Write, walk
 
-C_KEYWORDS = frozenset(
-    """
-    auto break case char const continue default do double else enum extern float for goto if inline int long register
-    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while asm bool true
-    false class new delete this template namespace operator private public protected try catch
-    """.split()  # noqa: SIM905  a list of words is read more easily as words
-)
-"""Words that are no identifiers in C or C++."""
-
 
 def name_values(routine: Routine, reserved: Iterable[str] = ()) -> Routine:
-    """Return the routine with a distinct C identifier for every value; literals are printed where they are used."""
-    taken = set(reserved) | C_KEYWORDS | {block.name for block in routine.blocks}
+    """Return the routine with a distinct C identifier for every value; literals are printed where they are used.
+
+    Of what a call gives, only the used results are named; the first name with `_result` is free for their array.
+    """
+    taken = set(reserved) | KEYWORDS | {block.name for block in routine.blocks}
     taken |= {each.counter for each in walk(routine.body) if isinstance(each, Loop)}
     consumers = _first_consumers(routine)
-    values = _values(routine)
+    values = _values(routine, consumers)
     names: dict[int, str] = {}
-    for value in values:
+    for value, ending in values.items():
         if value in routine.names:
-            names[value] = _free(routine.names[value], taken)
+            names[value] = _free(identifier(routine.names[value]), ending, taken)
     counts: dict[str, int] = {}
-    for value in values:
+    for value, ending in values.items():
         if value in names:
             continue
         base = _base(value, consumers, names, routine)
@@ -42,27 +37,30 @@ def name_values(routine: Routine, reserved: Iterable[str] = ()) -> Routine:
             if f"{base}_{number}" not in taken:
                 break
         counts[base] = number
-        names[value] = _free(f"{base}_{number}", taken)
+        names[value] = _free(f"{base}_{number}", ending, taken)
     callees = {name: name_values(callee, reserved) for name, callee in routine.callees.items()}
     return replace(routine, names=names, callees=callees)
 
 
-def _free(wanted: str, taken: set[str]) -> str:
+def _free(wanted: str, ending: str, taken: set[str]) -> str:
+    """Return the name, numbered where it, or it with the ending, is taken; both are taken from there on."""
     name, number = wanted, 1
-    while name in taken:
+    while not taken.isdisjoint((name, name + ending)):
         number += 1
         name = f"{wanted}_{number}"
-    taken.add(name)
+    taken.update((name, name + ending))
     return name
 
 
-def _values(routine: Routine) -> list[int]:
-    values: list[int] = []
+def _values(routine: Routine, consumers: dict[int, Statement]) -> dict[int, str]:
+    """Return the values to be named, in order, each with the ending that must be free beside its name."""
+    values: dict[int, str] = {}
     for statement in walk(routine.body):
         if isinstance(statement, Operation) and statement.op is not MachineOp.LITERAL:
-            values.append(statement.result)
+            values[statement.result] = ""
         elif isinstance(statement, Call):
-            values.extend(statement.results)
+            used = [result for result in statement.results if result in consumers]
+            values.update({result: "_result" if result == used[0] else "" for result in used})
     return values
 
 
@@ -81,15 +79,18 @@ def _first_consumers(routine: Routine) -> dict[int, Statement]:
 
 def _base(value: int, consumers: dict[int, Statement], names: dict[int, str], routine: Routine) -> str:
     """Follow a value to the first named result it leads to, or to the component it is written to."""
-    statement = consumers.get(value)
-    match statement:
-        case Operation():
-            return names.get(statement.result) or _base(statement.result, consumers, names, routine)
-        case Write(place):
-            return _component(routine, place)
-        case Call():
-            return statement.routine
-    return "value"
+    while True:
+        match consumers.get(value):
+            case Operation(result):
+                if result in names:
+                    return names[result]
+                value = result
+            case Write(place):
+                return _component(routine, place)
+            case Call(called):
+                return called
+            case _:
+                return "value"
 
 
 def _component(routine: Routine, place: Place) -> str:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from qcone.ir.statement import Routine
+from qcone.ir.statement import Routine, reachable
 
 
 def norms(routine: Routine) -> tuple[Fraction | None, ...]:
@@ -36,8 +36,11 @@ def norms(routine: Routine) -> tuple[Fraction | None, ...]:
 def rotation_vector_bound(routine: Routine) -> Fraction | None:
     """Return a bound of the largest |phi| handed to exp in the routine; None if it calls no exp.
 
-    Raises ValueError when an exponential's argument cannot be bounded.
+    Raises ValueError when an exponential's argument cannot be bounded; inside a subroutine none can.
     """
+    for callee in reachable(routine):
+        if any(group.kind == "exp" for group in callee.groups):
+            raise ValueError(f"{callee.name}: a subroutine takes exp of an argument for which no bound is known")
     found: list[Fraction] = []
     for group, bound in zip(routine.groups, norms(routine), strict=True):
         if group.kind == "exp":

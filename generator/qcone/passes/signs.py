@@ -11,16 +11,17 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from qcone.ir.operations import RealOp
-from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Routine, Statement, Write, walk
+from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Routine, Statement, Write, results, walk
 
 
 def signs(routine: Routine) -> Routine:
     """Return the routine with negations absorbed wherever an operation can take them."""
+    callees = {name: signs(callee) for name, callee in routine.callees.items()}
     if not any(isinstance(each, Operation) and each.op is RealOp.NEGATE for each in walk(routine.body)):
-        return routine
+        return replace(routine, callees=callees)
     carrier = _Carrier(routine)
     body = carrier.body(routine.body)
-    return replace(routine, body=body, names=carrier.names)
+    return replace(routine, body=body, names=carrier.names, callees=callees)
 
 
 class _Carrier:
@@ -29,9 +30,7 @@ class _Carrier:
     def __init__(self, routine: Routine) -> None:
         self.names = dict(routine.names)
         self.stand_in: dict[int, tuple[int, int]] = {}
-        results = [each.result for each in walk(routine.body) if isinstance(each, Operation)]
-        results += [result for each in walk(routine.body) if isinstance(each, Call) for result in each.results]
-        self.next = max(results, default=-1) + 1
+        self.next = max(results(routine.body), default=-1) + 1
 
     def body(self, body: tuple[Statement, ...]) -> tuple[Statement, ...]:
         out: list[Statement] = []
@@ -43,7 +42,9 @@ class _Carrier:
                     value = self._positive(statement.value, statement, out.append)
                     out.append(replace(statement, value=value))
                 case Loop():
+                    before = dict(self.stand_in)
                     out.append(replace(statement, body=self.body(statement.body)))
+                    self.stand_in = before  # a negation made inside the loop is not to be seen outside it
                 case Call():
                     args = tuple(self._positive(arg, statement, out.append) for arg in statement.args)
                     out.append(replace(statement, args=args))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
 
@@ -64,7 +65,8 @@ def _table(command: str, rows: Sequence[Row]) -> str:
         table.add_row(*(_cell(row[name]) for name in shown))
     terminal = sys.stdout.isatty()
     page = io.StringIO()
-    console = Console(width=None if terminal else PIPE_WIDTH, file=page, force_terminal=terminal, highlight=False)
+    styled = terminal and not os.environ.get("NO_COLOR")
+    console = Console(width=None if terminal else PIPE_WIDTH, file=page, force_terminal=styled, highlight=False)
     if terminal:
         console.width = Console().width
     console.print(table)

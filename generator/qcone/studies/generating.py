@@ -22,8 +22,8 @@ def generate(designs: Iterable[Design], folder: Path, force: bool, cc: str | Non
     accepted = [verify.accept(build(design), cc) for design in designs]
     rows: list[Row] = []
     words = {"missing": "created", "fresh": "same"}
-    for each in accepted:
-        for file in write(each, folder / each.bundle.name, force):
+    for each, files in zip(accepted, write(accepted, folder, force), strict=True):
+        for file in files:
             rows.append(_row(each.bundle.name, file.path, words.get(file.status, "changed"), each.contents[file.path]))
     return rows
 

@@ -35,3 +35,10 @@ def from_options(name: str, algorithm: str, options: Mapping[str, str | None], d
     """Return the design of command-line options; `defaults` stand where an option is not given."""
     given = {word.replace("_", "-"): value for word, value in options.items() if value is not None}
     return design_from_options(name, {"algorithm": algorithm, **defaults, **given}, entries())
+
+
+def refuse_options(options: Mapping[str, str | None], why: str) -> None:
+    """Raise UsageError when an option is given that would be passed over."""
+    for word, value in options.items():
+        if value is not None:
+            raise UsageError(f"--{word.replace('_', '-')} {value}: {why}")

@@ -145,6 +145,7 @@ def _asked(name: str, command: tuple[str, ...]) -> Compiler | None:
     program = shutil.which(command[0])
     if program is None:
         return None
+    program = os.path.abspath(program)  # builds run in folders of their own
     text, machine = _self_description((program, *command[1:]))
     if not text:
         return None

@@ -23,27 +23,34 @@ SLP_CONTRACTED = 2
 # Every form reads its own operands: a compiler does not fuse a product that has another use.
 _PLAIN = """\
 /* 1 + e and 1 + 2e, its square when that is rounded; e = 2^-BITS. Volatile: the compiler computes nothing. */
-static volatile REAL NAME_REAL[2] = {FACTOR, PRODUCT};
+static volatile REAL probe_REAL[2] = {FACTOR, PRODUCT};
 
-static int NAME_REAL_plain(void)
+/* Volatile here too: comparing the difference with zero could become comparing its two sides. */
+static int probe_REAL_left(REAL remainder)
 {
-    const REAL a = NAME_REAL[0];
-    const REAL expression = (a * a) - NAME_REAL[1];
-    const REAL b = NAME_REAL[0];
-    const REAL c = NAME_REAL[1];
+    const volatile REAL left = remainder;
+    return (left < ZERO) || (left > ZERO);
+}
+
+static int probe_REAL_plain(void)
+{
+    const REAL a = probe_REAL[0];
+    const REAL expression = (a * a) - probe_REAL[1];
+    const REAL b = probe_REAL[0];
+    const REAL c = probe_REAL[1];
     const REAL forward = b * b;
     const REAL subtracted = forward - c;
-    const REAL d = NAME_REAL[0];
-    const REAL e = NAME_REAL[1];
+    const REAL d = probe_REAL[0];
+    const REAL e = probe_REAL[1];
     const REAL backward = d * d;
     const REAL reversed = e - backward;
-    return (expression != ZERO) || (subtracted != ZERO) || (reversed != ZERO);
+    return probe_REAL_left(expression) || probe_REAL_left(subtracted) || probe_REAL_left(reversed);
 }
 
 """
 
 _PAIRED = """\
-static void NAME_float_lanes(const float *restrict a, const float *restrict c, float *restrict o)
+static void probe_float_lanes(const float *restrict a, const float *restrict c, float *restrict o)
 {
     const float m0 = a[0] * a[0];
     const float m1 = a[1] * a[1];
@@ -55,7 +62,7 @@ static void NAME_float_lanes(const float *restrict a, const float *restrict c, f
     o[3] = m3 + c[3];
 }
 
-static void NAME_double_lanes(const double *restrict a, const double *restrict c, double *restrict o)
+static void probe_double_lanes(const double *restrict a, const double *restrict c, double *restrict o)
 {
     const double m0 = a[0] * a[0];
     const double m1 = a[1] * a[1];
@@ -64,17 +71,17 @@ static void NAME_double_lanes(const double *restrict a, const double *restrict c
 }
 
 /* Called through volatile pointers: inlined, the lanes would be scalars again and would not be paired. */
-static void (*volatile NAME_float_call)(const float *restrict a, const float *restrict c,
-                                        float *restrict o) = NAME_float_lanes;
-static void (*volatile NAME_double_call)(const double *restrict a, const double *restrict c,
-                                         double *restrict o) = NAME_double_lanes;
+static void (*volatile probe_float_call)(const float *restrict a, const float *restrict c,
+                                        float *restrict o) = probe_float_lanes;
+static void (*volatile probe_double_call)(const double *restrict a, const double *restrict c,
+                                         double *restrict o) = probe_double_lanes;
 
-static int NAME_paired(void)
+static int probe_paired(void)
 {
-    const float a = NAME_float[0];
-    const float c = NAME_float[1];
-    const double x = NAME_double[0];
-    const double z = NAME_double[1];
+    const float a = probe_float[0];
+    const float c = probe_float[1];
+    const double x = probe_double[0];
+    const double z = probe_double[1];
     const float as[4] = {a, a, a, a};
     const float cs[4] = {c, -c, c, -c};
     const double xs[2] = {x, x};
@@ -82,16 +89,16 @@ static int NAME_paired(void)
     float o[4];
     double w[2];
     int narrow;
-    NAME_float_call(as, cs, o);
-    NAME_double_call(xs, zs, w);
-    narrow = (o[0] != 0.0F) || (o[1] != 0.0F) || (o[2] != 0.0F) || (o[3] != 0.0F);
-    return narrow || (w[0] != 0.0) || (w[1] != 0.0);
+    probe_float_call(as, cs, o);
+    probe_double_call(xs, zs, w);
+    narrow = probe_float_left(o[0]) || probe_float_left(o[1]) || probe_float_left(o[2]) || probe_float_left(o[3]);
+    return narrow || probe_double_left(w[0]) || probe_double_left(w[1]);
 }
 
 /* Tells whether this build fuses products with sums: bit 0 = alone, bit 1 = in neighbouring lanes. */
 int NAME(void)
 {
-    return ((NAME_float_plain() || NAME_double_plain()) ? 1 : 0) | (NAME_paired() ? 2 : 0);
+    return ((probe_float_plain() || probe_double_plain()) ? 1 : 0) | (probe_paired() ? 2 : 0);
 }
 """
 

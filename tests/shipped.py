@@ -1,0 +1,37 @@
+"""The shipped designs, and designs of any algorithm of the catalogue, each built once for all tests."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+
+import qcone
+from qcone.algorithms import CATALOGUE
+from qcone.bundle import Bundle
+from qcone.design import Design, design_from_options, read_designs
+from qcone.pipeline import build
+from qcone.registry import entries
+
+FOLDER = Path(qcone.__file__).parent / "designs"
+DESIGNS = {design.name: design for file in sorted(FOLDER.glob("*.toml")) for design in read_designs(file, entries())}
+
+EXAMPLES = {
+    " ".join([family.id, *(f"{name}={value}" for name, value in example.items() if value)]): (family.id, example)
+    for family in CATALOGUE
+    for example in family.examples
+}
+"""Every algorithm of the catalogue: its family and its parameters, by a readable name."""
+
+
+@cache
+def shipped(name: str) -> Bundle:
+    return build(DESIGNS[name])
+
+
+def design_of(example: str, **options: object) -> Design:
+    """Return the design of an algorithm of the catalogue; 0.1 rad an update unless `options` say otherwise."""
+    family, parameters = EXAMPLES[example]
+    given = {name: value for name, value in parameters.items() if value}
+    base: Mapping[str, object] = {"number": "float64", "max_rate_dps": "573", "update_hz": "100"}
+    return design_from_options("tested", {"algorithm": family, **given, **base, **options}, entries())
