@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import json
 import os
@@ -179,6 +180,8 @@ def write(bundles: Sequence[VerifiedBundle], root: Path, force: bool = False) ->
             for path, text in each.contents.items():
                 place = folder / path
                 made += _make_folder(place.parent)
+                if place.is_dir():
+                    raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
                 beside = place.with_name(place.name + ".partial")
                 temporary.append((beside, place))
                 beside.write_bytes(text.encode())

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import fields, replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from jinja2 import TemplateNotFound, UndefinedError
@@ -37,6 +38,18 @@ def page() -> pages.Page:
 def test_template_given_nothing_is_an_error(name: str) -> None:
     with pytest.raises(UndefinedError):
         render(name)
+
+
+@pytest.mark.parametrize("field", [each.name for each in fields(pages.Page)])
+def test_page_that_lacks_a_field_is_an_error(field: str) -> None:
+    """An empty place in a C file would be worse than no file."""
+    given = {each.name: getattr(page(), each.name) for each in fields(pages.Page) if each.name != field}
+    lacking = SimpleNamespace(**given)
+    driver = shipped(next(iter(DESIGNS))).driver
+    asking = [name for name in TEMPLATES if f"page.{field}" in (FOLDER / name).read_text(encoding="utf-8")]
+    name = next((name for name in asking if name != "c/_banner.j2"), "c/routine.c.j2")
+    with pytest.raises(UndefinedError, match=f"'{field}'"):
+        render(name, page=lacking, driver=driver, guard="GUARD_H")
 
 
 def test_unknown_template_is_an_error() -> None:

@@ -5,11 +5,14 @@ from __future__ import annotations
 import importlib.util
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 from given import GOOD
 
+from qcone import verify
 from qcone.cli import main
 
 Run = Callable[..., Result]
@@ -35,6 +38,19 @@ def good(tmp_path: Path) -> Path:
     file = tmp_path / "good.toml"
     file.write_text(GOOD)
     return file
+
+
+@pytest.fixture
+def flipped_bit(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Make every compiled C give one wrong bit, in the last word of the second row."""
+    honest = verify.c_words
+
+    def words(*arguments: Any) -> Any:
+        found, contracted = honest(*arguments)
+        found[0, 1, -1] = np.nextafter(found[0, 1, -1], found.dtype.type(2))
+        return found, contracted
+
+    monkeypatch.setattr(verify, "c_words", words)
 
 
 @pytest.fixture

@@ -50,14 +50,25 @@ class Floating:
         return rounded
 
     def literal(self, value: Fraction) -> str:
-        """Return the shortest C literal that reads back as exactly this number of the format."""
+        """Return `value`, rounded to the fewest decimal digits that read back as exactly this number of the format.
+
+        That is the shortest literal there is, but for some powers of two: below them numbers lie closer than
+        above, and a decimal that is not the nearest of its length may read back with a digit less.
+        """
         if self.round(value) != value:
             raise ValueError(f"{value} is not a number of {self.name}; round it first")
         for digits in range(1, self.digits + 1):
             text = _decimal(value, digits)
-            if self.round(Fraction(text)) == value:
+            if self._reads(text, value):
                 return (text if any(mark in text for mark in ".e") else text + ".0") + self.suffix
         raise ValueError(f"{self.digits} digits do not hold {value} in {self.name}")
+
+    def _reads(self, text: str, value: Fraction) -> bool:
+        """Tell whether a decimal reads back as `value`; one of few digits may lie beyond the largest number."""
+        try:
+            return self.round(Fraction(text)) == value
+        except OverflowError:
+            return False
 
 
 def _exponent(value: Fraction) -> int:

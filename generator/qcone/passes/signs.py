@@ -1,8 +1,9 @@
 """Carry signs to where they cost nothing: exact, up to the sign of a zero.
 
-A negation moves through products into the next sum, which becomes a difference; into a constant; or, if
-nothing takes it, stays before the write. So a signed permutation of the axes costs no operation. IEEE 754
-rounds symmetrically: (-a) b = -(a b) and (-a) + (-b) = -(a + b), bit for bit unless the result is a zero.
+A negation moves through products into the next sum, which becomes a difference, or, if nothing takes it,
+stays before the write. So a signed permutation of the axes costs no operation, unless what is turned is
+stored. IEEE 754 rounds symmetrically: (-a) b = -(a b) and (-a) + (-b) = -(a + b), bit for bit unless the
+result is a zero.
 """
 
 from __future__ import annotations

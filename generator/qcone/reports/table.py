@@ -35,7 +35,7 @@ def _csv(command: str, rows: Sequence[Row]) -> str:
 def _markdown(command: str, rows: Sequence[Row]) -> str:
     columns = _columns(rows)
     lines = [f"| {' | '.join(columns)} |", f"|{'---|' * len(columns)}"]
-    lines += [f"| {' | '.join(_cell(value).replace('|', chr(92) + '|') for value in row.values())} |" for row in rows]
+    lines += [f"| {' | '.join(_line(value).replace('|', chr(92) + '|') for value in row.values())} |" for row in rows]
     return "\n".join(lines) + "\n"
 
 
@@ -48,7 +48,7 @@ def _latex(command: str, rows: Sequence[Row]) -> str:
         " & ".join(map(_tex, columns)) + r" \\",
         r"\midrule",
     ]
-    lines += [" & ".join(_tex(_cell(value)) for value in row.values()) + r" \\" for row in rows]
+    lines += [" & ".join(_tex(_line(value)) for value in row.values()) + r" \\" for row in rows]
     return "\n".join([*lines, r"\bottomrule", r"\end{tabular}"]) + "\n"
 
 
@@ -66,7 +66,8 @@ def _table(command: str, rows: Sequence[Row]) -> str:
     terminal = sys.stdout.isatty()
     page = io.StringIO()
     styled = terminal and not os.environ.get("NO_COLOR")
-    console = Console(width=None if terminal else PIPE_WIDTH, file=page, force_terminal=styled, highlight=False)
+    width = None if terminal else PIPE_WIDTH
+    console = Console(width=width, file=page, force_terminal=styled, highlight=False, markup=False, emoji=False)
     if terminal:
         console.width = Console().width
     console.print(table)
@@ -86,8 +87,14 @@ def _cell(value: object) -> str:
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
+def _line(value: object) -> str:
+    """Return a cell where a line's end would end the row."""
+    return " ".join(_cell(value).split("\n"))
+
+
 def _tex(text: str) -> str:
     special = {
+        "\\": r"\textbackslash{}",
         "&": r"\&",
         "%": r"\%",
         "_": r"\_",
@@ -98,7 +105,7 @@ def _tex(text: str) -> str:
         "{": r"\{",
         "}": r"\}",
     }
-    return "".join(special.get(mark, mark) for mark in text.replace("\\", r"\textbackslash "))
+    return "".join(special.get(mark, mark) for mark in text)
 
 
 LAYOUTS: Mapping[str, Callable[[str, Sequence[Row]], str]] = {

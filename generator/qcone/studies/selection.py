@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 from pathlib import Path
 
@@ -11,10 +11,13 @@ from qcone.errors import UsageError
 from qcone.registry import entries
 
 
-def designs_of(files: Iterable[str], names: Sequence[str]) -> list[Design]:
-    """Read design files and keep the named designs; a name that is nowhere is an error."""
+def designs_of(files: Sequence[str], names: Sequence[str]) -> list[Design]:
+    """Read design files and keep the named designs; a name that is nowhere, or in two files, is an error."""
     designs = [design for file in files for design in read_designs(Path(file), entries())]
     known = [design.name for design in designs]
+    twice = [name for name in known if known.count(name) > 1]
+    if twice:
+        raise UsageError(f"design '{twice[0]}' stands in more than one of {', '.join(files)}; give one another name")
     for name in names:
         if name not in known:
             close = get_close_matches(name, known, 1)
