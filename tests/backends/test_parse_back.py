@@ -114,7 +114,9 @@ def test_missing_and_foreign_functions_are_named() -> None:
 def test_changed_parameters_are_shown() -> None:
     bundle = shipped(NAME)
     (message,) = found_in(bundle, bundle.source.replace("const float dtheta[9]", "const float dtheta[6]"))
-    assert message.startswith(f"{NAME}_update: parameters ({NAME}_state *state, const float dtheta[6]) instead of (")
+    assert message.startswith(
+        f"{NAME}_update: `void {NAME}_update({NAME}_state *state, const float dtheta[6])` instead of"
+    )
 
 
 def test_comments_and_blanks_are_not_statements() -> None:
@@ -178,3 +180,25 @@ def test_refusal_is_a_difference() -> None:
     spoilt = bundle.source.replace("const float e = 0.5F * e_1;", "const float e = 0.5F * e_1 + 0.0F;")
     assert spoilt != bundle.source
     assert found_in(bundle, spoilt) == ["an operand that is not emitted: BinaryOp"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "found"),
+    [
+        ("    float q[4];", "    double q[4];", f"{NAME}_state: members (double q[4]) instead of (float q[4])"),
+        ("{ { 1.0F, 0.0F", "{ { 1.0F, 0.5F", "STATE_INIT: {{1.0F,0.5F,0.0F,0.0F}} instead of {{1.0F,0.0F,0.0F,0.0F}}"),
+        ("#include <float.h>", "#define float double", "float: a macro that is not emitted"),
+        (f"}} {NAME}_state;", "} other_state;", "not C"),
+    ],
+)
+def test_a_changed_header_is_found(old: str, new: str, found: str) -> None:
+    bundle = shipped(NAME)
+    assert old in bundle.header
+    messages = found_in(bundle, header=bundle.header.replace(old, new, 1))
+    assert any(found in message for message in messages), messages
+
+
+def test_a_changed_return_type_is_found() -> None:
+    bundle = shipped(NAME)
+    (message,) = found_in(bundle, bundle.source.replace(f"void {NAME}_init(", f"int {NAME}_init("))
+    assert message.startswith(f"{NAME}_init: `int {NAME}_init({NAME}_state *state)` instead of `void {NAME}_init(")

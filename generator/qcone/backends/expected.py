@@ -5,8 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from qcone.backends.c_source import components, field, functions, parameters, result_array, unused
-from qcone.backends.parse_back import Line, UnreadableError, affine, read_functions
+from qcone.backends.c_source import (
+    components,
+    field,
+    functions,
+    parameters,
+    result_array,
+    state_fields,
+    state_initialiser,
+    unused,
+)
+from qcone.backends.parse_back import Line, UnreadableError, affine, read_functions, read_macros, read_structure
 from qcone.formats.floating import Floating
 from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
@@ -30,9 +39,26 @@ def differences(program: Program, number: Floating, header: str, source: str) ->
     """Return how the text differs from the program: empty when every statement of every function agrees."""
     try:
         found = read_functions(header, source)
+        members = read_structure(header, f"{program.name}_state")
     except UnreadableError as error:
         return [str(error)]
-    return list(_compare(program, number, found))
+    return [*_compare_header(program, number, members, read_macros(header)), *_compare(program, number, found)]
+
+
+def _compare_header(
+    program: Program, number: Floating, members: tuple[str, ...], macros: Mapping[str, str]
+) -> Iterator[str]:
+    """Compare what the header fixes of the state: its members, their types, what a static state begins with."""
+    wanted = tuple(declaration.removesuffix(";") for declaration, _ in state_fields(program, number))
+    if members != wanted:
+        yield f"{program.name}_state: members ({'; '.join(members)}) instead of ({'; '.join(wanted)})"
+    prefix = program.name.upper() + "_"
+    for name in macros:
+        if not name.startswith(prefix):
+            yield f"{name}: a macro that is not emitted"
+    initial = "".join(state_initialiser(program, number).split())
+    if macros.get(f"{prefix}STATE_INIT") != initial:
+        yield f"{prefix}STATE_INIT: {macros.get(f'{prefix}STATE_INIT')} instead of {initial}"
 
 
 def _compare(program: Program, number: Floating, found: Mapping[str, tuple[str, tuple[Line, ...]]]) -> Iterator[str]:
@@ -48,10 +74,8 @@ def _compare(program: Program, number: Floating, found: Mapping[str, tuple[str, 
         if name not in found:
             continue
         signature, lines = found[name]
-        inside = wanted_signatures[name]
-        inside = inside[inside.index("(") + 1 : -1]
-        if _squeezed(signature) != _squeezed(inside):
-            yield f"{name}: parameters ({signature}) instead of ({inside})"
+        if _squeezed(signature) != _squeezed(wanted_signatures[name]):
+            yield f"{name}: `{signature}` instead of `{' '.join(wanted_signatures[name].split())}`"
         expected = tuple(_Reader(routine, program, number, routine.name in scalar).lines())
         yield from _compare_lines(name, lines, expected)
 

@@ -42,7 +42,7 @@ class UnreadableError(Exception):
 
 
 def read_functions(header: str, source: str) -> dict[str, tuple[str, tuple[Line, ...]]]:
-    """Return, for every function of the source, its parameters as text and its statements.
+    """Return, for every function of the source, its signature as text and its statements.
 
     Raises UnreadableError for text that is not C, or that is C no printer of ours writes.
     """
@@ -56,7 +56,7 @@ def read_functions(header: str, source: str) -> dict[str, tuple[str, tuple[Line,
     for node in tree.ext:
         if isinstance(node, c_ast.FuncDef):
             try:
-                found[node.decl.name] = (_parameters(node), tuple(_lines(node.body.block_items or ())))
+                found[node.decl.name] = (_signature(node), tuple(_lines(node.body.block_items or ())))
             except (AttributeError, KeyError, TypeError, ValueError) as error:  # a tree of another shape than ours
                 raise UnreadableError(f"{node.decl.name}: a form that is not emitted: {error}") from error
     return found
@@ -81,12 +81,39 @@ def _bare(text: str) -> str:
     return "".join(line for line in text.splitlines(keepends=True) if not line.lstrip().startswith("#"))
 
 
-def _parameters(node: c_ast.FuncDef) -> str:
+def _signature(node: c_ast.FuncDef) -> str:
+    """Return `static void name(parameters)`."""
     arguments = node.decl.type.args
-    return ", ".join(_declared(each) for each in (arguments.params if arguments else ()))
+    given = ", ".join(declared(each) for each in (arguments.params if arguments else ()))
+    words = [*node.decl.storage, *node.decl.type.type.quals, *node.decl.type.type.type.names]
+    return f"{' '.join(words)} {node.decl.name}({given})"
 
 
-def _declared(node: Any) -> str:
+def read_structure(header: str, name: str) -> tuple[str, ...]:
+    """Return the members of the structure `name` as declarations, in order.
+
+    Raises UnreadableError where there is none, or the text is not C.
+    """
+    try:
+        tree = CParser().parse(TYPES + _bare(header))
+    except ParseError as error:
+        raise UnreadableError(f"not C: {error}") from error
+    for node in tree.ext:
+        if isinstance(node, c_ast.Typedef) and node.name == name:
+            members = getattr(getattr(node.type, "type", None), "decls", None) or ()
+            return tuple(declared(each) for each in members)
+    raise UnreadableError(f"there is no structure {name}")
+
+
+def read_macros(text: str) -> dict[str, str]:
+    """Return the macros of a text by name, their replacement without white space."""
+    bare = re.sub(r"/\*.*?\*/", " ", text, flags=re.DOTALL)
+    lines = (line.lstrip() for line in bare.splitlines())
+    parts = (line[1:].split(None, 2) for line in lines if line.startswith("#"))
+    return {part[1]: "".join("".join(part[2:]).split()) for part in parts if part[0] == "define" and len(part) > 1}
+
+
+def declared(node: Any) -> str:
     """Return a declaration's type, name and size as text."""
     kind, size, pointer = node.type, "", ""
     while not isinstance(kind, c_ast.TypeDecl):
@@ -124,8 +151,8 @@ def _lines(items: Sequence[Any]) -> Iterator[Line]:
 def _declaration(node: Any) -> Line:
     if isinstance(node.type, c_ast.ArrayDecl):
         entries = tuple(_operand(each) for each in node.init.exprs) if node.init else ()
-        return Line("array", _declared(node), entries)
-    ctype = _declared(node).removesuffix(node.name).strip()
+        return Line("array", declared(node), entries)
+    ctype = declared(node).removesuffix(node.name).strip()
     value = node.init
     if value is None:
         raise UnreadableError(f"a declaration without a value: {node.name}")
@@ -154,7 +181,7 @@ def _loop(node: Any) -> Line:
         case _:
             raise UnreadableError("a loop that is not emitted")
     same = _operand(node.cond.left) == _operand(node.next.expr) == counter.name
-    if not same or _declared(counter) != f"int32_t {counter.name}":
+    if not same or declared(counter) != f"int32_t {counter.name}":
         raise UnreadableError(f"a loop over {counter.name} that is not emitted")
     last = _expression(node.cond.right)
     body = tuple(_lines(node.stmt.block_items or ()))
