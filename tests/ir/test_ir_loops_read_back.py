@@ -100,6 +100,7 @@ CALLS = {
     "argument of a function": ("const float arg1_in0,", "const double arg1_in0,"),
     "argument that is read": ("= arg1_in0;", "= arg1_in1;"),
     "loop in a function": ("n <= 3", "n <= 2"),
+    "visible function": ("static void att_rungs", "void att_rungs"),
 }
 
 

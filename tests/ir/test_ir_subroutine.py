@@ -149,16 +149,20 @@ NESTED = paper(
 
     @subroutine
     def twice(v):
-        return once(once(v)) + inner(F(1, 11))(v)
+        return v + inner(F(1, 11))(v)
     """,
 )
 
 
 def test_subroutines_that_call_others(tmp_path: Path, first_compiler: Compiler) -> None:
-    """Names stay apart over all levels: `once` and the other `once` that only `twice` calls."""
+    """Names stay apart over all levels: the `once` that only `twice` calls is not the `once` of the update."""
     bundle = bundle_of(tmp_path, NESTED)
     names = re.findall(r"^static void (\w+)\(", bundle.source, re.MULTILINE)
-    assert names == ["att_once", "att_once_2", "att_twice"]
+    assert names == ["att_once", "att_twice", "att_once_2"]
+    q, d = [F(1), F(1, 7), F(2, 7), F(3, 7)], [F(1, 2), F(1, 3), F(1, 5)]
+    found = evaluate(update_of(bundle), {"q": q, "dtheta": d}).named
+    v = [part * (1 + F(1, 11)) + part for part in d]  # d x d is zero
+    assert found["dq_w"] == q[0] * found["a"] - sum(a * b for a, b in zip(q[1:], v, strict=True))
     clean(bundle, first_compiler)
 
 

@@ -65,6 +65,7 @@ def test_a_name_that_looks_like_a_numbered_one() -> None:
 
     names = printed(written(author)).values()
     assert {"phi", "phi_1", "phi_2", "phi_3"} <= set(names)
+    assert not [name for name in names if re.fullmatch(r"phi_\d_\d", name)]
 
 
 @pytest.mark.parametrize("word", ["int", "double", "register", "restrict", "class", "state", "result", "x", "out"])
