@@ -62,13 +62,14 @@ def _load(path: Path) -> ModuleType:
     if spec is None or spec.loader is None:
         raise UsageError(f"{path.name}: not a Python file")
     module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # dataclasses and pickles of the user's look their module up there
     before = sys.dont_write_bytecode
     sys.dont_write_bytecode = True
     try:
         spec.loader.exec_module(module)
     except UsageError as error:
         raise UsageError(f"{path.name}: {error}") from error
-    except Exception as error:  # a user's file may fail in any way; it is shown as the user's mistake
+    except (Exception, SystemExit) as error:  # a user's file may fail in any way: it is the user's mistake
         line = getattr(error, "lineno", None) or _line_in(path, error)
         raise UsageError(f"{path.name}:{line}: {type(error).__name__}: {error}") from error
     finally:

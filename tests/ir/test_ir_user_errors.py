@@ -298,10 +298,19 @@ def test_syntax_error(tmp_path: Path) -> None:
         ("import no_such_module_at_all", "ModuleNotFoundError: No module named 'no_such_module_at_all'"),
         ("from qcone import no_such_name", "ImportError: cannot import name 'no_such_name' from 'qcone'"),
         ("1 / 0", "ZeroDivisionError: division by zero"),
+        ("raise SystemExit('over')", "SystemExit: over"),
     ],
 )
 def test_errors_at_import(tmp_path: Path, line: str, what: str) -> None:
     assert said(tmp_path, f"\n{line}\n{TAYLOR}").startswith(f"my_paper.py:2: {what}")
+
+
+def test_a_dataclass_of_the_file_finds_its_module(tmp_path: Path) -> None:
+    text = (
+        "from __future__ import annotations\nfrom dataclasses import dataclass\nfrom typing import ClassVar\n\n"
+        "@dataclass\nclass Gains:\n    kind: ClassVar[str] = 'x'\n    first: int = 1\n\n"
+    )
+    assert bundle_of(tmp_path, text + TAYLOR).facts.algorithm.name == "mine"
 
 
 def test_nothing_is_left_beside_the_file(tmp_path: Path) -> None:
