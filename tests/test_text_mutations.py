@@ -152,13 +152,13 @@ def test_statements_in_another_order_are_found(name: str) -> None:
 def test_the_difference_names_function_statement_and_both_texts() -> None:
     name = "rotation_vector_3_coning_float32"
     source = shipped(name).source.replace(
-        "const float s_x = dtheta1_x + dtheta3_x;", "const float s_x = dtheta1_x - dtheta3_x;"
+        "const float p_x = dtheta1_x + dtheta3_x;", "const float p_x = dtheta1_x - dtheta3_x;"
     )
     said = found(name, source)
     assert len(said) == 1
     assert said[0].startswith(f"{name}_update: statement ")
-    assert "s_x = subtract(dtheta1_x, dtheta3_x)" in said[0]
-    assert "s_x = add(dtheta1_x, dtheta3_x)" in said[0]
+    assert "p_x = subtract(dtheta1_x, dtheta3_x)" in said[0]
+    assert "p_x = add(dtheta1_x, dtheta3_x)" in said[0]
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -216,3 +216,20 @@ def test_vectors_are_the_same_for_the_same_seed() -> None:
     assert first.inputs.tobytes() == again.inputs.tobytes()
     assert first.inputs.tobytes() != other.inputs.tobytes()
     assert first.rows >= 1000
+
+
+def test_what_the_header_says_of_a_series_of_its_own_holds() -> None:
+    """Picard's orders state what they leave out; the bound holds against the closed form and is not far from it."""
+    import numpy as np
+
+    from qcone.algorithms.picard import left_out
+    from qcone.ir.real import F
+    from qcone.reference.attitude import picard
+
+    size = F(1, 10)
+    theta = np.array([[0.06, -0.08, 0.0]])
+    for order in (1, 2, 3, 4):
+        difference = picard(theta, order)[0] - picard(theta, "closed")[0]
+        scalar, vector = (float(each) for each in left_out(order, size))
+        assert 0.9 * scalar < abs(difference[0]) <= scalar * (1 + 1e-9)
+        assert 0.9 * vector < float(np.linalg.norm(difference[1:])) <= vector * (1 + 1e-9)

@@ -10,7 +10,8 @@ from qcone.ir.specification import Algorithm
 
 def problem(design: Design, code: str, what: str, why: str = "", hint: str = "") -> DesignError:
     """Return the error of one mistake that only the whole design shows."""
-    return DesignError([Problem(f"{design.file or 'command line'}: design '{design.name}'", code, what, why, hint)])
+    place = f"{design.file}:{design.line}" if design.file else "command line"
+    return DesignError([Problem(place, code, f"design '{design.name}': {what}", why, hint)])
 
 
 def number_of(design: Design) -> Floating:

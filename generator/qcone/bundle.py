@@ -13,7 +13,7 @@ from pathlib import Path
 
 from qcone import __version__
 from qcone.backends.page import Driver
-from qcone.contract import FLAGS, INTERFACE, Facts, command, truncation
+from qcone.contract import FLAGS, GCC_FLAGS, INTERFACE, Facts, command, truncation
 from qcone.errors import CheckError, UsageError
 from qcone.ir.statement import Program
 
@@ -95,6 +95,7 @@ def with_manifest(bundle: Bundle) -> Mapping[str, str]:
         "source": str(facts.algorithm.source),
         "number": facts.number.name,
         "flags": FLAGS,
+        "flags_gcc": GCC_FLAGS,
         "ranges": {
             "interval_s": str(facts.known.interval),
             "rate_rad_s": str(facts.known.rate),
@@ -109,6 +110,7 @@ def with_manifest(bundle: Bundle) -> Mapping[str, str]:
         },
         "files": {path: digest(text) for path, text in bundle.files.items()},
     }
+    manifest["manifest"] = digest(json.dumps(manifest, indent=2))
     return {**bundle.files, MANIFEST: json.dumps(manifest, indent=2) + "\n"}
 
 
@@ -140,12 +142,24 @@ def compare(contents: Mapping[str, str], folder: Path) -> tuple[FileStatus, ...]
             found = file.read_bytes()
             if found == text.encode():
                 status = "fresh"
-            elif path != MANIFEST and recorded.get(path) != hashlib.sha256(found).hexdigest():
+            elif (path == MANIFEST and not _is_its_own(found)) or (
+                path != MANIFEST and recorded.get(path) != hashlib.sha256(found).hexdigest()
+            ):
                 status = "edited"
             else:
                 status = "stale"
         result.append(FileStatus(path, status))
     return tuple(result)
+
+
+def _is_its_own(manifest: bytes) -> bool:
+    """Tell whether a manifest is as some version of ours wrote it: its own digest is that of the rest."""
+    try:
+        content = json.loads(manifest)
+        said = content.pop("manifest")
+    except (ValueError, KeyError, AttributeError, TypeError):
+        return False
+    return bool(said == digest(json.dumps(content, indent=2)))
 
 
 def _recorded(folder: Path) -> Mapping[str, str]:

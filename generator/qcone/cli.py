@@ -246,7 +246,7 @@ def replay(
     if output is None and len(designs) < 2:
         raise UsageError("-o OUT.csv says where the attitude is to be written")
     rows = session.run(_shown(designs, "replaying"), recording, session.quaternion(initial), output, cc, compare, _say)
-    if len(designs) > 1:
+    if len(designs) > 1 or layout != "table":
         _print("replay", rows, layout)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 
 from qcone import __version__
@@ -19,7 +20,12 @@ from qcone.passes.exponential import Exponential
 INTERFACE = 1
 """Raised when the emitted functions, macros or state change their meaning."""
 WIDTH = 96
+BEYOND = (
+    "beyond it nothing is bounded: accuracy is lost and, far beyond it, the state can diverge to NaN for good, "
+    "so clamp inputs that can be so large; setting the attitude anew brings it back"
+)
 FLAGS = "-std=c99 -ffp-contract=off"
+GCC_FLAGS = "-fno-tree-vectorize"
 ANY_MACHINE = (
     "The bits are the same on every machine that rounds each operation to its own IEEE 754 format. Under "
     "flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload and sign of a NaN are "
@@ -57,7 +63,7 @@ def banner(facts: Facts) -> tuple[str, ...]:
         *_item("source", _source(algorithm)),
         *(_item("equation", algorithm.summary) if algorithm.summary else []),
         *_item("number", f"{facts.number.name}, every operation rounded once"),
-        *_item("flags", f"{FLAGS}; with gcc, where the target has vector FMA, also -fno-tree-vectorize"),
+        *_item("flags", f"{FLAGS}; with gcc, where the target has vector FMA, also {GCC_FLAGS}"),
         "",
         *_item("range", _range(facts)),
         *_item("truncation", truncation(facts)),
@@ -75,7 +81,13 @@ def banner(facts: Facts) -> tuple[str, ...]:
 
 
 def _item(title: str, text: str) -> list[str]:
-    return textwrap.wrap(f"{title + ':':<12} {text}", WIDTH, subsequent_indent=" " * 13)
+    text = f"{title + ':':<12} {_plain(text)}"
+    return textwrap.wrap(text, WIDTH, subsequent_indent=" " * 13, break_on_hyphens=False)
+
+
+def _plain(text: str) -> str:
+    """Return an author's text as it may stand in a comment: on one line, and not ending it."""
+    return " ".join(text.replace("*/", "* /").replace("/*", "/ *").split())
 
 
 def _accumulation(design: Design) -> str:
@@ -107,14 +119,18 @@ def _range(facts: Facts) -> str:
     )
     if facts.exponential:
         text += f"; |phi| <= {_digits(facts.exponential.phi_max)} rad"
-    return text + "; beyond it accuracy is lost, nothing else"
+    return text + f"; {BEYOND}"
 
 
 def truncation(facts: Facts) -> str:
     """Return the proven error of the exponential's polynomials, as a sentence."""
     chosen = facts.exponential
     if chosen is None:
-        return "none: no function is approximated"
+        made = facts.algorithm.truncation
+        if made is None:
+            return "that of the algorithm's own series, not bounded here"
+        scalar, vector = (_digits(each, 2) for each in made(facts.known.increment))
+        return f"series of the algorithm's order in |phi|; error of r at most {scalar} (scalar), {vector} (vector)"
     return (
         f"{chosen.kind} polynomials of degree {len(chosen.series.cosine)} (cos) and {len(chosen.series.sine)} (sin) in "
         f"|phi|^2; error of r at most {_digits(chosen.scalar_error, 2)} (scalar), {_digits(chosen.vector_error, 2)} "
@@ -127,7 +143,9 @@ def _digits(value: Fraction, digits: int = 5) -> str:
 
 
 def _decimal(value: Fraction) -> str:
-    return str(int(value)) if value.denominator == 1 else f"{float(value):.17g}"
+    """Return a number as the decimal it was written as, where it is one."""
+    digits = Decimal(value.numerator) / Decimal(value.denominator)
+    return f"{digits.normalize():f}" if Fraction(digits) == value else f"{float(value):.17g}"
 
 
 def macros(facts: Facts, initialiser: str) -> tuple[Macro, ...]:
@@ -151,9 +169,13 @@ def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
         "set_quaternion": [
             "q_nb: w, x, y, z, of unit length to within the format's rounding; body to navigation.",
             "One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are cleared.",
+            *(["The newest rate is kept: start() need not be called again."] if rates else []),
         ],
         "start": ["omega: rad/s, sensor axes. To be called once before the first update."],
-        "renormalise": ["To be called by the user now and then; one Newton step."],
+        "renormalise": [
+            "To be called by the user now and then: a length 1 + e, |e| <= 1/2, becomes 1 within 3/2 e^2 + 1/2 |e|^3.",
+            "How often is not proven for this format: its rounding bound is not computed.",
+        ],
         "quaternion": [f"q_nb: w, x, y, z; body to navigation. |q_nb| = 1 {_norm(facts)}."],
         "dcm": ["c_nb: row major, v_n = C_nb v_b, of the attitude as quaternion() gives it."],
     }
@@ -165,7 +187,7 @@ def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
         bound = facts.known.rate if rates else facts.known.increment
         lines = [
             f"{given}: {n} x 3 values, {given}[3*k + axis], sub-sample k = 0 first; {unit}; sensor axes.",
-            f"Range: norm of each at most {_digits(bound)}. Beyond it accuracy is lost, nothing else.",
+            f"Range: norm of each at most {_digits(bound)}; {BEYOND}.",
             f"Truncation: {truncation(facts)}. Rounding: not bounded.",
         ]
         if rates:
@@ -184,5 +206,5 @@ def _wrap(text: str) -> list[str]:
 def _norm(facts: Facts) -> str:
     design = facts.design
     if design.form == "factored" and design.renormalise == "every":
-        return "to within a few units of the last place"
+        return "to within rounding and the truncation error of r, which the next update takes away"
     return "up to the drift of truncation and rounding, not bounded"

@@ -11,7 +11,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from qcone import contract
@@ -23,7 +23,7 @@ from qcone.backends.counts import Counts, count
 from qcone.bundle import Bundle
 from qcone.contract import Facts
 from qcone.design import Design
-from qcone.errors import CheckError, UsageError
+from qcone.errors import CheckError, DesignError, Problem, UsageError
 from qcone.formats.floating import Floating
 from qcone.ir.check import check_program
 from qcone.ir.evaluate import agree
@@ -126,13 +126,16 @@ def levels(written: Program, ready: Program, machine: Program) -> dict[str, dict
 def _within_budget(facts: Facts) -> None:
     """Raise a CheckError when an update costs more than the design's budget allows."""
     spent = facts.counts.get("steady") or facts.counts["update"]
-    for kind, allowed in facts.design.budget.items():
-        used = getattr(spent["emitted"], kind)
-        if used > allowed:
-            raise CheckError(
-                f"design '{facts.design.name}': an update takes {used} of '{kind}', over the budget of {allowed}: "
-                "choose a cheaper algorithm or raise the budget"
-            )
+    over = [
+        f"{getattr(spent['emitted'], kind)} of '{kind}', over the budget of {allowed}"
+        for kind, allowed in facts.design.budget.items()
+        if getattr(spent["emitted"], kind) > allowed
+    ]
+    if over:
+        raise CheckError(
+            f"design '{facts.design.name}': an update takes {' and '.join(over)}: choose a cheaper algorithm or raise "
+            "the budget"
+        )
 
 
 def _print(facts: Facts, written: Program, machine: Program) -> Bundle:
@@ -198,6 +201,20 @@ def _driver(machine: Program, number: Floating) -> pages.Driver:
     )
 
 
-def build_all(designs: Sequence[Design]) -> tuple[Bundle, ...]:
-    """Build several designs, in order."""
-    return tuple(build(design) for design in designs)
+def build_all(designs: Iterable[Design]) -> tuple[Bundle, ...]:
+    """Build several designs, in order. Raises one DesignError with the mistakes of all of them."""
+    bundles: list[Bundle] = []
+    problems: list[Problem] = []
+    late: CheckError | None = None
+    for design in designs:
+        try:
+            bundles.append(build(design))
+        except DesignError as error:
+            problems += error.problems
+        except CheckError as error:
+            late = late or error
+    if problems:
+        raise DesignError(problems)
+    if late:
+        raise late
+    return tuple(bundles)

@@ -62,7 +62,7 @@ FILES = {
     ),
     "|phi| over pi by the coning term": (
         HEAD.replace("573", "17990") + "subsamples = 3\n",
-        "bad.toml: design 'mine': error QC204: the rotation vector may reach 5.11 rad in one update, and an attitude "
+        "bad.toml:1: error QC204: design 'mine': the rotation vector may reach 5.11 rad in one update, and an attitude "
         "update holds only below pi: raise update_hz or lower max_rate_dps\n",
     ),
     "coefficients for one sub-sample": (HEAD + 'coefficients = "coning"\n', f"bad.toml:5: {NO_PAIR}"),
@@ -72,12 +72,12 @@ FILES = {
     ),
     "a format that is not built yet": (
         HEAD.replace("float32", "fixed32"),
-        "bad.toml: design 'mine': error QC201: number.format = \"fixed32\" is not available in this version, use "
+        "bad.toml:1: error QC201: design 'mine': number.format = \"fixed32\" is not available in this version, use "
         "float32 or float64\n",
     ),
     "an output that is not built yet": (
         HEAD + 'outputs = ["euler"]\n',
-        "bad.toml: design 'mine': error QC203: the output \"euler\" is not available in this version, use "
+        "bad.toml:1: error QC203: design 'mine': the output \"euler\" is not available in this version, use "
         '"quaternion" and "dcm"\n',
     ),
     "no design": (
@@ -291,6 +291,19 @@ def test_bad_words(run, words: tuple[str, ...]) -> None:
     result = run(*words)
     assert (result.exit_code, result.stdout) == (2, "")
     assert CLICK[words] in result.stderr
+
+
+def test_what_whole_designs_show_is_said_of_all_of_them(run, tmp_path: Path) -> None:
+    second = HEAD.replace("mine", "other") + 'outputs = ["euler"]\n'
+    dear = GOOD + "budget = { multiply = 3, add = 3 }\n"
+    (tmp_path / "bad.toml").write_text(f"{HEAD.replace('float32', 'fixed32')}\n{second}\n{dear}")
+    result = run("generate", "bad.toml")
+    codes = [line.split(": error ")[1][:5] for line in result.stderr.splitlines()]
+    assert (result.exit_code, result.stdout, codes) == (2, "", ["QC201", "QC203"])
+    (tmp_path / "dear.toml").write_text(dear)
+    result = run("generate", "dear.toml")
+    over = "38 of 'multiply', over the budget of 3 and 24 of 'add', over the budget of 3"
+    assert (result.exit_code, result.stderr.partition(" takes ")[2].partition(": choose")[0]) == (1, over)
 
 
 def test_budget_exceeded_is_a_failed_check(run, tmp_path: Path) -> None:

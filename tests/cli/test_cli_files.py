@@ -100,12 +100,22 @@ def test_files_without_a_manifest_are_somebody_s(run, good: Path, tmp_path: Path
 
 
 @pytest.mark.parametrize("text", ["not JSON", "[]", '{"files": 3}', '{"files": {"src/good.c": 7}}'])
-def test_spoilt_manifest_is_written_anew(run, good: Path, tmp_path: Path, text: str) -> None:
+def test_spoilt_manifest_is_edited_by_hand(run, good: Path, tmp_path: Path, text: str) -> None:
     generate(run)
     (tmp_path / "c_out/good/manifest.json").write_text(text)
     result = generate(run, "--check")
-    assert (result.exit_code, statuses(result)) == (1, each("fresh", json="stale"))
-    assert statuses(generate(run)) == each("same", json="changed")
+    assert (result.exit_code, statuses(result)) == (1, each("fresh", json="edited"))
+    result = run("generate", "good.toml")
+    assert (result.exit_code, result.stderr) == (1, f"c_out/good/manifest.json: edited by hand; {LOST}")
+    assert (tmp_path / "c_out/good/manifest.json").read_text() == text
+    assert statuses(generate(run, "--force")) == each("same", json="changed")
+
+
+def test_a_manifest_with_one_word_changed_is_edited_by_hand(run, good: Path, tmp_path: Path) -> None:
+    generate(run)
+    manifest = tmp_path / "c_out/good/manifest.json"
+    manifest.write_text(manifest.read_text().replace('"not bounded"', '"bounded"', 1))
+    assert statuses(generate(run, "--check")) == each("fresh", json="edited")
 
 
 def test_dry_run_and_diff_write_nothing(run, good: Path, tmp_path: Path) -> None:

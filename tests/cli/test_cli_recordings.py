@@ -215,9 +215,9 @@ def test_several_designs_are_compared_in_a_table(run, tmp_path: Path) -> None:
     result = run("replay", "a.csv", "--design", "two.toml:good", "--design", "two.toml:wide", "--format", "csv")
     assert result.exit_code == 0
     lines = result.stdout.splitlines()
-    assert lines[0] == "design,updates,compared,largest_deg,final_deg"
+    assert lines[0] == "design,updates,compared,largest_deg,final_deg,differing_bits"
     assert [line.split(",")[:3] for line in lines[1:]] == [["good", "2", "2"], ["wide", "2", "2"]]
-    assert lines[1].endswith(",0,0")
+    assert lines[1].endswith(",0,0,")
 
 
 def test_beyond_the_declared_rate_is_said(run, tmp_path: Path) -> None:

@@ -111,7 +111,7 @@ def test_everything_else_enters(change: Callable[[Design], Design]) -> None:
 
 
 def test_no_field_is_forgotten_here() -> None:
-    outside = {"file", "directory", "budget", "target_budgets", "imu", "number"}
+    outside = {"file", "directory", "line", "budget", "target_budgets", "imu", "number"}
     names = {field.name for field in fields(Design)} - outside
     names |= {f"imu.{field.name}" for field in fields(Imu)} | {f"number.{field.name}" for field in fields(Number)}
     assert names == CHANGES.keys()

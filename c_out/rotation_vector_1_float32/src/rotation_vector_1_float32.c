@@ -8,11 +8,13 @@
  * source:      cao (8), (9)
  * equation:    phi = theta
  * number:      float32, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.10001 rad; |phi|
- *              <= 0.1001 rad; beyond it accuracy is lost, nothing else
+ *              <= 0.1001 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 2 (cos) and 1 (sin) in |phi|^2; error of r at most
  *              1.2e-12 (scalar), 3.4e-10 (vector), proved over the rationals
  * rounding:    not bounded

@@ -8,11 +8,13 @@
  * source:      cao (8), (9)
  * equation:    phi = theta
  * number:      float32, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.10001 rad; |phi|
- *              <= 0.1001 rad; beyond it accuracy is lost, nothing else
+ *              <= 0.1001 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 2 (cos) and 1 (sin) in |phi|^2; error of r at most
  *              1.2e-12 (scalar), 3.4e-10 (vector), proved over the rationals
  * rounding:    not bounded
@@ -88,7 +90,9 @@ void rotation_vector_1_float32_set_quaternion(rotation_vector_1_float32_state *s
  *
  * dtheta: 1 x 3 values, dtheta[3*k + axis], sub-sample k = 0 first; rad, the integral of the body
  *   rate over each sub-sample; sensor axes.
- * Range: norm of each at most 0.10001. Beyond it accuracy is lost, nothing else.
+ * Range: norm of each at most 0.10001; beyond it nothing is bounded: accuracy is lost and, far
+ *   beyond it, the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *   setting the attitude anew brings it back.
  * Truncation: minimax polynomials of degree 2 (cos) and 1 (sin) in |phi|^2; error of r at most
  *   1.2e-12 (scalar), 3.4e-10 (vector), proved over the rationals. Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
@@ -98,7 +102,8 @@ void rotation_vector_1_float32_update(rotation_vector_1_float32_state *state, co
 /*
  * Give the attitude quaternion. Type of values: float.
  *
- * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
+ * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within rounding and the truncation error of
+ *   r, which the next update takes away.
  */
 void rotation_vector_1_float32_quaternion(const rotation_vector_1_float32_state *state, float q_nb[4]);
 

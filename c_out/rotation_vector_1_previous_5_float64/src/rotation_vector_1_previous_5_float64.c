@@ -9,11 +9,13 @@
  * equation:    phi = theta + (4247/27720 theta[-1] - 703/13860 theta[-2] + 61/4620 theta[-3] -
  *              31/13860 theta[-4] + 1/5544 theta[-5]) x theta
  * number:      float64, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.10001 rad; |phi|
- *              <= 0.1023 rad; beyond it accuracy is lost, nothing else
+ *              <= 0.1023 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
  *              4.3e-22 (scalar), 4.5e-20 (vector), proved over the rationals
  * rounding:    not bounded

@@ -9,11 +9,13 @@
  * equation:    phi = theta + (4247/27720 theta[-1] - 703/13860 theta[-2] + 61/4620 theta[-3] -
  *              31/13860 theta[-4] + 1/5544 theta[-5]) x theta
  * number:      float64, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.10001 rad; |phi|
- *              <= 0.1023 rad; beyond it accuracy is lost, nothing else
+ *              <= 0.1023 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
  *              4.3e-22 (scalar), 4.5e-20 (vector), proved over the rationals
  * rounding:    not bounded
@@ -96,7 +98,9 @@ void rotation_vector_1_previous_5_float64_set_quaternion(
  *
  * dtheta: 1 x 3 values, dtheta[3*k + axis], sub-sample k = 0 first; rad, the integral of the body
  *   rate over each sub-sample; sensor axes.
- * Range: norm of each at most 0.10001. Beyond it accuracy is lost, nothing else.
+ * Range: norm of each at most 0.10001; beyond it nothing is bounded: accuracy is lost and, far
+ *   beyond it, the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *   setting the attitude anew brings it back.
  * Truncation: minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
  *   4.3e-22 (scalar), 4.5e-20 (vector), proved over the rationals. Rounding: not bounded.
  * The first 5 updates after a restart use no history.
@@ -108,7 +112,8 @@ void rotation_vector_1_previous_5_float64_update(
 /*
  * Give the attitude quaternion. Type of values: double.
  *
- * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
+ * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within rounding and the truncation error of
+ *   r, which the next update takes away.
  */
 void rotation_vector_1_previous_5_float64_quaternion(
     const rotation_vector_1_previous_5_float64_state *state, double q_nb[4]);

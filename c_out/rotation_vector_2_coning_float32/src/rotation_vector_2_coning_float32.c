@@ -8,11 +8,13 @@
  * source:      cao (12), cao (14)
  * equation:    phi = theta_1 + theta_2 + 2/3 theta_1 x theta_2
  * number:      float32, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.050004 rad; |phi|
- *              <= 0.1017 rad; beyond it accuracy is lost, nothing else
+ *              <= 0.1017 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 2 (cos) and 1 (sin) in |phi|^2; error of r at most
  *              1.1e-12 (scalar), 3.7e-10 (vector), proved over the rationals
  * rounding:    not bounded
@@ -104,10 +106,10 @@ void rotation_vector_2_coning_float32_update(
     const float dtheta2_y = dtheta[4];
     const float dtheta2_z = dtheta[5];
 
-    /* s = theta_1 + theta_2 */
-    const float s_x = dtheta1_x + dtheta2_x;
-    const float s_y = dtheta1_y + dtheta2_y;
-    const float s_z = dtheta1_z + dtheta2_z;
+    /* p = theta_1 + theta_2 */
+    const float p_x = dtheta1_x + dtheta2_x;
+    const float p_y = dtheta1_y + dtheta2_y;
+    const float p_z = dtheta1_z + dtheta2_z;
 
     /* d = theta_2 - theta_1 */
     const float d_x = dtheta2_x - dtheta1_x;
@@ -120,20 +122,20 @@ void rotation_vector_2_coning_float32_update(
     const float k_z = 0.33333334F /* 1/3 */ * d_z;
 
     /* coning = S x k   [cao (12)] */
-    const float coning_x_1 = s_y * k_z;
-    const float coning_x_2 = s_z * k_y;
+    const float coning_x_1 = p_y * k_z;
+    const float coning_x_2 = p_z * k_y;
     const float coning_x = coning_x_1 - coning_x_2;
-    const float coning_y_1 = s_z * k_x;
-    const float coning_y_2 = s_x * k_z;
+    const float coning_y_1 = p_z * k_x;
+    const float coning_y_2 = p_x * k_z;
     const float coning_y = coning_y_1 - coning_y_2;
-    const float coning_z_1 = s_x * k_y;
-    const float coning_z_2 = s_y * k_x;
+    const float coning_z_1 = p_x * k_y;
+    const float coning_z_2 = p_y * k_x;
     const float coning_z = coning_z_1 - coning_z_2;
 
     /* phi = S + coning   [cao (12)] */
-    const float phi_x = s_x + coning_x;
-    const float phi_y = s_y + coning_y;
-    const float phi_z = s_z + coning_z;
+    const float phi_x = p_x + coning_x;
+    const float phi_y = p_y + coning_y;
+    const float phi_z = p_z + coning_z;
 
     /* phi_square = |phi|^2 */
     const float phi_square_1 = phi_x * phi_x;

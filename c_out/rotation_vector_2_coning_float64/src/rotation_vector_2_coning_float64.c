@@ -8,11 +8,13 @@
  * source:      cao (12), cao (14)
  * equation:    phi = theta_1 + theta_2 + 2/3 theta_1 x theta_2
  * number:      float64, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.050004 rad; |phi|
- *              <= 0.1017 rad; beyond it accuracy is lost, nothing else
+ *              <= 0.1017 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
  *              4.7e-22 (scalar), 3.8e-20 (vector), proved over the rationals
  * rounding:    not bounded
@@ -104,10 +106,10 @@ void rotation_vector_2_coning_float64_update(
     const double dtheta2_y = dtheta[4];
     const double dtheta2_z = dtheta[5];
 
-    /* s = theta_1 + theta_2 */
-    const double s_x = dtheta1_x + dtheta2_x;
-    const double s_y = dtheta1_y + dtheta2_y;
-    const double s_z = dtheta1_z + dtheta2_z;
+    /* p = theta_1 + theta_2 */
+    const double p_x = dtheta1_x + dtheta2_x;
+    const double p_y = dtheta1_y + dtheta2_y;
+    const double p_z = dtheta1_z + dtheta2_z;
 
     /* d = theta_2 - theta_1 */
     const double d_x = dtheta2_x - dtheta1_x;
@@ -120,20 +122,20 @@ void rotation_vector_2_coning_float64_update(
     const double k_z = 0.3333333333333333 /* 1/3 */ * d_z;
 
     /* coning = S x k   [cao (12)] */
-    const double coning_x_1 = s_y * k_z;
-    const double coning_x_2 = s_z * k_y;
+    const double coning_x_1 = p_y * k_z;
+    const double coning_x_2 = p_z * k_y;
     const double coning_x = coning_x_1 - coning_x_2;
-    const double coning_y_1 = s_z * k_x;
-    const double coning_y_2 = s_x * k_z;
+    const double coning_y_1 = p_z * k_x;
+    const double coning_y_2 = p_x * k_z;
     const double coning_y = coning_y_1 - coning_y_2;
-    const double coning_z_1 = s_x * k_y;
-    const double coning_z_2 = s_y * k_x;
+    const double coning_z_1 = p_x * k_y;
+    const double coning_z_2 = p_y * k_x;
     const double coning_z = coning_z_1 - coning_z_2;
 
     /* phi = S + coning   [cao (12)] */
-    const double phi_x = s_x + coning_x;
-    const double phi_y = s_y + coning_y;
-    const double phi_z = s_z + coning_z;
+    const double phi_x = p_x + coning_x;
+    const double phi_y = p_y + coning_y;
+    const double phi_z = p_z + coning_z;
 
     /* phi_square = |phi|^2 */
     const double phi_square_1 = phi_x * phi_x;

@@ -8,11 +8,13 @@
  * equation:    phi = theta_1 + theta_2 + theta_3 + 9/20 theta_1 x theta_3 + 27/40 theta_2 x
  *              (theta_3 - theta_1)
  * number:      float32, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.033336 rad; |phi|
- *              <= 0.1021 rad; beyond it accuracy is lost, nothing else
+ *              <= 0.1021 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 2 (cos) and 1 (sin) in |phi|^2; error of r at most
  *              2.5e-11 (scalar), 3.8e-10 (vector), proved over the rationals
  * rounding:    not bounded
@@ -107,20 +109,20 @@ void rotation_vector_3_coning_float32_standard_update(
     const float dtheta3_y = dtheta[7];
     const float dtheta3_z = dtheta[8];
 
-    /* s = theta_1 + theta_3 */
-    const float s_x = dtheta1_x + dtheta3_x;
-    const float s_y = dtheta1_y + dtheta3_y;
-    const float s_z = dtheta1_z + dtheta3_z;
+    /* p = theta_1 + theta_3 */
+    const float p_x = dtheta1_x + dtheta3_x;
+    const float p_y = dtheta1_y + dtheta3_y;
+    const float p_z = dtheta1_z + dtheta3_z;
 
     /* d = theta_3 - theta_1 */
     const float d_x = dtheta3_x - dtheta1_x;
     const float d_y = dtheta3_y - dtheta1_y;
     const float d_z = dtheta3_z - dtheta1_z;
 
-    /* S = s + theta_2 */
-    const float S_x = s_x + dtheta2_x;
-    const float S_y = s_y + dtheta2_y;
-    const float S_z = s_z + dtheta2_z;
+    /* S = p + theta_2 */
+    const float S_x = p_x + dtheta2_x;
+    const float S_y = p_y + dtheta2_y;
+    const float S_z = p_z + dtheta2_z;
 
     /* g = S + 2 theta_2   [cao (12)] */
     const float g_x_1 = S_x + dtheta2_x;

@@ -9,11 +9,13 @@
  * equation:    phi = theta_1 + theta_2 + theta_3 + 9/20 theta_1 x theta_3 + 27/40 theta_2 x
  *              (theta_3 - theta_1)
  * number:      float64, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.033336 rad; |phi|
- *              <= 0.1021 rad; beyond it accuracy is lost, nothing else
+ *              <= 0.1021 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
  *              4.4e-22 (scalar), 4.1e-20 (vector), proved over the rationals
  * rounding:    not bounded
@@ -108,20 +110,20 @@ void rotation_vector_3_coning_float64_update(
     const double dtheta3_y = dtheta[7];
     const double dtheta3_z = dtheta[8];
 
-    /* s = theta_1 + theta_3 */
-    const double s_x = dtheta1_x + dtheta3_x;
-    const double s_y = dtheta1_y + dtheta3_y;
-    const double s_z = dtheta1_z + dtheta3_z;
+    /* p = theta_1 + theta_3 */
+    const double p_x = dtheta1_x + dtheta3_x;
+    const double p_y = dtheta1_y + dtheta3_y;
+    const double p_z = dtheta1_z + dtheta3_z;
 
     /* d = theta_3 - theta_1 */
     const double d_x = dtheta3_x - dtheta1_x;
     const double d_y = dtheta3_y - dtheta1_y;
     const double d_z = dtheta3_z - dtheta1_z;
 
-    /* S = s + theta_2 */
-    const double S_x = s_x + dtheta2_x;
-    const double S_y = s_y + dtheta2_y;
-    const double S_z = s_z + dtheta2_z;
+    /* S = p + theta_2 */
+    const double S_x = p_x + dtheta2_x;
+    const double S_y = p_y + dtheta2_y;
+    const double S_z = p_z + dtheta2_z;
 
     /* g = S + 2 theta_2   [cao (12)] */
     const double g_x_1 = S_x + dtheta2_x;

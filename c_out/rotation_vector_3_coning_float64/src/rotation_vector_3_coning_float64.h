@@ -9,11 +9,13 @@
  * equation:    phi = theta_1 + theta_2 + theta_3 + 9/20 theta_1 x theta_3 + 27/40 theta_2 x
  *              (theta_3 - theta_1)
  * number:      float64, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.033336 rad; |phi|
- *              <= 0.1021 rad; beyond it accuracy is lost, nothing else
+ *              <= 0.1021 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
  *              4.4e-22 (scalar), 4.1e-20 (vector), proved over the rationals
  * rounding:    not bounded
@@ -90,7 +92,9 @@ void rotation_vector_3_coning_float64_set_quaternion(
  *
  * dtheta: 3 x 3 values, dtheta[3*k + axis], sub-sample k = 0 first; rad, the integral of the body
  *   rate over each sub-sample; sensor axes.
- * Range: norm of each at most 0.033336. Beyond it accuracy is lost, nothing else.
+ * Range: norm of each at most 0.033336; beyond it nothing is bounded: accuracy is lost and, far
+ *   beyond it, the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *   setting the attitude anew brings it back.
  * Truncation: minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
  *   4.4e-22 (scalar), 4.1e-20 (vector), proved over the rationals. Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
@@ -101,7 +105,8 @@ void rotation_vector_3_coning_float64_update(
 /*
  * Give the attitude quaternion. Type of values: double.
  *
- * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
+ * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within rounding and the truncation error of
+ *   r, which the next update takes away.
  */
 void rotation_vector_3_coning_float64_quaternion(
     const rotation_vector_3_coning_float64_state *state, double q_nb[4]);

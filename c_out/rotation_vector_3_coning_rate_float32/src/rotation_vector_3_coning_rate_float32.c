@@ -9,11 +9,13 @@
  * equation:    phi = theta_1 + theta_2 + theta_3 + 9/20 theta_1 x theta_3 + 27/40 theta_2 x
  *              (theta_3 - theta_1)
  * number:      float32, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 2000 deg/s (34.907 rad/s), 300 updates/s; |dtheta| <= 0.054946 rad;
- *              |phi| <= 0.1703 rad; beyond it accuracy is lost, nothing else
+ *              |phi| <= 0.1703 rad; beyond it nothing is bounded: accuracy is lost and, far beyond
+ *              it, the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 2 (cos) and 2 (sin) in |phi|^2; error of r at most
  *              2e-11 (scalar), 6.4e-12 (vector), proved over the rationals
  * rounding:    not bounded
@@ -196,20 +198,20 @@ void rotation_vector_3_coning_rate_float32_update(
     const float theta3_y_negated = theta3_y_negated_5 + theta3_y_negated_6;
     const float theta3_z = theta3_z_5 + theta3_z_6;
 
-    /* s = theta_1 + theta_3 */
-    const float s_x = theta1_x + theta3_x;
-    const float s_y_negated = theta1_y_negated + theta3_y_negated;
-    const float s_z = theta1_z + theta3_z;
+    /* p = theta_1 + theta_3 */
+    const float p_x = theta1_x + theta3_x;
+    const float p_y_negated = theta1_y_negated + theta3_y_negated;
+    const float p_z = theta1_z + theta3_z;
 
     /* d = theta_3 - theta_1 */
     const float d_x = theta3_x - theta1_x;
     const float d_y = theta1_y_negated - theta3_y_negated;
     const float d_z = theta3_z - theta1_z;
 
-    /* S = s + theta_2 */
-    const float S_x = s_x + theta2_x;
-    const float S_y_negated = s_y_negated + theta2_y_negated;
-    const float S_z = s_z + theta2_z;
+    /* S = p + theta_2 */
+    const float S_x = p_x + theta2_x;
+    const float S_y_negated = p_y_negated + theta2_y_negated;
+    const float S_z = p_z + theta2_z;
 
     /* g = S + 2 theta_2   [cao (12)] */
     const float g_x_1 = S_x + theta2_x;

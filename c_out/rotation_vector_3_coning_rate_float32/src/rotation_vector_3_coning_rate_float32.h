@@ -9,11 +9,13 @@
  * equation:    phi = theta_1 + theta_2 + theta_3 + 9/20 theta_1 x theta_3 + 27/40 theta_2 x
  *              (theta_3 - theta_1)
  * number:      float32, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 2000 deg/s (34.907 rad/s), 300 updates/s; |dtheta| <= 0.054946 rad;
- *              |phi| <= 0.1703 rad; beyond it accuracy is lost, nothing else
+ *              |phi| <= 0.1703 rad; beyond it nothing is bounded: accuracy is lost and, far beyond
+ *              it, the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 2 (cos) and 2 (sin) in |phi|^2; error of r at most
  *              2e-11 (scalar), 6.4e-12 (vector), proved over the rationals
  * rounding:    not bounded
@@ -82,6 +84,7 @@ void rotation_vector_3_coning_rate_float32_init(rotation_vector_3_coning_rate_fl
  * q_nb: w, x, y, z, of unit length to within the format's rounding; body to navigation.
  * One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are
  *   cleared.
+ * The newest rate is kept: start() need not be called again.
  */
 void rotation_vector_3_coning_rate_float32_set_quaternion(
     rotation_vector_3_coning_rate_float32_state *state, const float q_nb[4]);
@@ -100,7 +103,9 @@ void rotation_vector_3_coning_rate_float32_start(
  * omega: 3 x 3 values, omega[3*k + axis], sub-sample k = 0 first; rad/s, the newest rate last;
  *   sensor axes.
  * The rate at the start of the interval is the last one of the update before, or start()'s.
- * Range: norm of each at most 34.907. Beyond it accuracy is lost, nothing else.
+ * Range: norm of each at most 34.907; beyond it nothing is bounded: accuracy is lost and, far
+ *   beyond it, the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *   setting the attitude anew brings it back.
  * Truncation: minimax polynomials of degree 2 (cos) and 2 (sin) in |phi|^2; error of r at most
  *   2e-11 (scalar), 6.4e-12 (vector), proved over the rationals. Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
@@ -111,7 +116,8 @@ void rotation_vector_3_coning_rate_float32_update(
 /*
  * Give the attitude quaternion. Type of values: float.
  *
- * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
+ * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within rounding and the truncation error of
+ *   r, which the next update takes away.
  */
 void rotation_vector_3_coning_rate_float32_quaternion(
     const rotation_vector_3_coning_rate_float32_state *state, float q_nb[4]);

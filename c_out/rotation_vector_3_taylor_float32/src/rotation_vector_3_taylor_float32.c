@@ -9,11 +9,13 @@
  * equation:    phi = theta_1 + theta_2 + theta_3 + 33/80 theta_1 x theta_3 + 57/80 theta_2 x
  *              (theta_3 - theta_1)
  * number:      float32, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.033336 rad; |phi|
- *              <= 0.1021 rad; beyond it accuracy is lost, nothing else
+ *              <= 0.1021 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 2 (cos) and 1 (sin) in |phi|^2; error of r at most
  *              1.1e-12 (scalar), 3.8e-10 (vector), proved over the rationals
  * rounding:    not bounded
@@ -108,25 +110,25 @@ void rotation_vector_3_taylor_float32_update(
     const float dtheta3_y = dtheta[7];
     const float dtheta3_z = dtheta[8];
 
-    /* s = theta_1 + theta_3 */
-    const float s_x = dtheta1_x + dtheta3_x;
-    const float s_y = dtheta1_y + dtheta3_y;
-    const float s_z = dtheta1_z + dtheta3_z;
+    /* p = theta_1 + theta_3 */
+    const float p_x = dtheta1_x + dtheta3_x;
+    const float p_y = dtheta1_y + dtheta3_y;
+    const float p_z = dtheta1_z + dtheta3_z;
 
     /* d = theta_3 - theta_1 */
     const float d_x = dtheta3_x - dtheta1_x;
     const float d_y = dtheta3_y - dtheta1_y;
     const float d_z = dtheta3_z - dtheta1_z;
 
-    /* S = s + theta_2 */
-    const float S_x = s_x + dtheta2_x;
-    const float S_y = s_y + dtheta2_y;
-    const float S_z = s_z + dtheta2_z;
+    /* S = p + theta_2 */
+    const float S_x = p_x + dtheta2_x;
+    const float S_y = p_y + dtheta2_y;
+    const float S_z = p_z + dtheta2_z;
 
-    /* g = 33/160 s + 57/80 theta_2   [xu2019 (4)] */
-    const float g_x_1 = 0.20625F /* 33/160 */ * s_x;
-    const float g_y_1 = 0.20625F /* 33/160 */ * s_y;
-    const float g_z_1 = 0.20625F /* 33/160 */ * s_z;
+    /* g = 33/160 p + 57/80 theta_2   [xu2019 (4)] */
+    const float g_x_1 = 0.20625F /* 33/160 */ * p_x;
+    const float g_y_1 = 0.20625F /* 33/160 */ * p_y;
+    const float g_z_1 = 0.20625F /* 33/160 */ * p_z;
     const float g_x_2 = 0.7125F /* 57/80 */ * dtheta2_x;
     const float g_y_2 = 0.7125F /* 57/80 */ * dtheta2_y;
     const float g_z_2 = 0.7125F /* 57/80 */ * dtheta2_z;

@@ -8,11 +8,13 @@
  * source:      song2013 expanded coning, derived here, cao (14)
  * equation:    phi = theta_1 + theta_2 + theta_3 + theta_4 + sum k_ij theta_i x theta_j
  * number:      float64, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.025002 rad; |phi|
- *              <= 0.1022 rad; beyond it accuracy is lost, nothing else
+ *              <= 0.1022 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
  *              3.9e-22 (scalar), 4.7e-20 (vector), proved over the rationals
  * rounding:    not bounded
@@ -110,15 +112,15 @@ void rotation_vector_4_expanded_float64_update(
     const double dtheta4_y = dtheta[10];
     const double dtheta4_z = dtheta[11];
 
-    /* s1 = theta_1 + theta_4 */
-    const double s1_x = dtheta1_x + dtheta4_x;
-    const double s1_y = dtheta1_y + dtheta4_y;
-    const double s1_z = dtheta1_z + dtheta4_z;
+    /* p1 = theta_1 + theta_4 */
+    const double p1_x = dtheta1_x + dtheta4_x;
+    const double p1_y = dtheta1_y + dtheta4_y;
+    const double p1_z = dtheta1_z + dtheta4_z;
 
-    /* s2 = theta_2 + theta_3 */
-    const double s2_x = dtheta2_x + dtheta3_x;
-    const double s2_y = dtheta2_y + dtheta3_y;
-    const double s2_z = dtheta2_z + dtheta3_z;
+    /* p2 = theta_2 + theta_3 */
+    const double p2_x = dtheta2_x + dtheta3_x;
+    const double p2_y = dtheta2_y + dtheta3_y;
+    const double p2_z = dtheta2_z + dtheta3_z;
 
     /* d1 = theta_4 - theta_1 */
     const double d1_x = dtheta4_x - dtheta1_x;
@@ -130,18 +132,18 @@ void rotation_vector_4_expanded_float64_update(
     const double d2_y = dtheta3_y - dtheta2_y;
     const double d2_z = dtheta3_z - dtheta2_z;
 
-    /* S = s1 + s2 */
-    const double S_x = s1_x + s2_x;
-    const double S_y = s1_y + s2_y;
-    const double S_z = s1_z + s2_z;
+    /* S = p1 + p2 */
+    const double S_x = p1_x + p2_x;
+    const double S_y = p1_y + p2_y;
+    const double S_z = p1_z + p2_z;
 
-    /* g1 = 9/35 s1 + 37/63 s2   [song2013 expanded coning, derived here] */
-    const double g1_x_1 = 0.2571428571428571 /* 9/35 */ * s1_x;
-    const double g1_y_1 = 0.2571428571428571 /* 9/35 */ * s1_y;
-    const double g1_z_1 = 0.2571428571428571 /* 9/35 */ * s1_z;
-    const double g1_x_2 = 0.5873015873015873 /* 37/63 */ * s2_x;
-    const double g1_y_2 = 0.5873015873015873 /* 37/63 */ * s2_y;
-    const double g1_z_2 = 0.5873015873015873 /* 37/63 */ * s2_z;
+    /* g1 = 9/35 p1 + 37/63 p2   [song2013 expanded coning, derived here] */
+    const double g1_x_1 = 0.2571428571428571 /* 9/35 */ * p1_x;
+    const double g1_y_1 = 0.2571428571428571 /* 9/35 */ * p1_y;
+    const double g1_z_1 = 0.2571428571428571 /* 9/35 */ * p1_z;
+    const double g1_x_2 = 0.5873015873015873 /* 37/63 */ * p2_x;
+    const double g1_y_2 = 0.5873015873015873 /* 37/63 */ * p2_y;
+    const double g1_z_2 = 0.5873015873015873 /* 37/63 */ * p2_z;
     const double g1_x = g1_x_1 + g1_x_2;
     const double g1_y = g1_y_1 + g1_y_2;
     const double g1_z = g1_z_1 + g1_z_2;
@@ -157,13 +159,13 @@ void rotation_vector_4_expanded_float64_update(
     const double coning1_z_2 = g1_y * d1_x;
     const double coning1_z = coning1_z_1 - coning1_z_2;
 
-    /* g2 = -47/315 s1 + 89/315 s2   [song2013 expanded coning, derived here] */
-    const double g2_x_1 = -0.1492063492063492 /* -47/315 */ * s1_x;
-    const double g2_y_1 = -0.1492063492063492 /* -47/315 */ * s1_y;
-    const double g2_z_1 = -0.1492063492063492 /* -47/315 */ * s1_z;
-    const double g2_x_2 = 0.28253968253968254 /* 89/315 */ * s2_x;
-    const double g2_y_2 = 0.28253968253968254 /* 89/315 */ * s2_y;
-    const double g2_z_2 = 0.28253968253968254 /* 89/315 */ * s2_z;
+    /* g2 = -47/315 p1 + 89/315 p2   [song2013 expanded coning, derived here] */
+    const double g2_x_1 = -0.1492063492063492 /* -47/315 */ * p1_x;
+    const double g2_y_1 = -0.1492063492063492 /* -47/315 */ * p1_y;
+    const double g2_z_1 = -0.1492063492063492 /* -47/315 */ * p1_z;
+    const double g2_x_2 = 0.28253968253968254 /* 89/315 */ * p2_x;
+    const double g2_y_2 = 0.28253968253968254 /* 89/315 */ * p2_y;
+    const double g2_z_2 = 0.28253968253968254 /* 89/315 */ * p2_z;
     const double g2_x = g2_x_1 + g2_x_2;
     const double g2_y = g2_y_1 + g2_y_2;
     const double g2_z = g2_z_1 + g2_z_2;

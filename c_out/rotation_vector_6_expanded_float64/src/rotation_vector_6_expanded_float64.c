@@ -9,11 +9,13 @@
  * equation:    phi = theta_1 + theta_2 + theta_3 + theta_4 + theta_5 + theta_6 + sum k_ij theta_i
  *              x theta_j
  * number:      float64, every operation rounded once
- * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also -fno-
- *              tree-vectorize
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.016668 rad; |phi|
- *              <= 0.1023 rad; beyond it accuracy is lost, nothing else
+ *              <= 0.1023 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
  * truncation:  minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
  *              4.3e-22 (scalar), 4.5e-20 (vector), proved over the rationals
  * rounding:    not bounded
@@ -117,20 +119,20 @@ void rotation_vector_6_expanded_float64_update(
     const double dtheta6_y = dtheta[16];
     const double dtheta6_z = dtheta[17];
 
-    /* s1 = theta_1 + theta_6 */
-    const double s1_x = dtheta1_x + dtheta6_x;
-    const double s1_y = dtheta1_y + dtheta6_y;
-    const double s1_z = dtheta1_z + dtheta6_z;
+    /* p1 = theta_1 + theta_6 */
+    const double p1_x = dtheta1_x + dtheta6_x;
+    const double p1_y = dtheta1_y + dtheta6_y;
+    const double p1_z = dtheta1_z + dtheta6_z;
 
-    /* s2 = theta_2 + theta_5 */
-    const double s2_x = dtheta2_x + dtheta5_x;
-    const double s2_y = dtheta2_y + dtheta5_y;
-    const double s2_z = dtheta2_z + dtheta5_z;
+    /* p2 = theta_2 + theta_5 */
+    const double p2_x = dtheta2_x + dtheta5_x;
+    const double p2_y = dtheta2_y + dtheta5_y;
+    const double p2_z = dtheta2_z + dtheta5_z;
 
-    /* s3 = theta_3 + theta_4 */
-    const double s3_x = dtheta3_x + dtheta4_x;
-    const double s3_y = dtheta3_y + dtheta4_y;
-    const double s3_z = dtheta3_z + dtheta4_z;
+    /* p3 = theta_3 + theta_4 */
+    const double p3_x = dtheta3_x + dtheta4_x;
+    const double p3_y = dtheta3_y + dtheta4_y;
+    const double p3_z = dtheta3_z + dtheta4_z;
 
     /* d1 = theta_6 - theta_1 */
     const double d1_x = dtheta6_x - dtheta1_x;
@@ -147,27 +149,27 @@ void rotation_vector_6_expanded_float64_update(
     const double d3_y = dtheta4_y - dtheta3_y;
     const double d3_z = dtheta4_z - dtheta3_z;
 
-    /* S = s1 + s2 + s3 */
-    const double S_x_1 = s1_x + s2_x;
-    const double S_y_1 = s1_y + s2_y;
-    const double S_z_1 = s1_z + s2_z;
-    const double S_x = S_x_1 + s3_x;
-    const double S_y = S_y_1 + s3_y;
-    const double S_z = S_z_1 + s3_z;
+    /* S = p1 + p2 + p3 */
+    const double S_x_1 = p1_x + p2_x;
+    const double S_y_1 = p1_y + p2_y;
+    const double S_z_1 = p1_z + p2_z;
+    const double S_x = S_x_1 + p3_x;
+    const double S_y = S_y_1 + p3_y;
+    const double S_z = S_z_1 + p3_z;
 
-    /* g1 = 463/1848 s1 + 62957/92400 s2 + 38963/92400 s3   [song2013 expanded coning, derived here] */
-    const double g1_x_1 = 0.25054112554112556 /* 463/1848 */ * s1_x;
-    const double g1_y_1 = 0.25054112554112556 /* 463/1848 */ * s1_y;
-    const double g1_z_1 = 0.25054112554112556 /* 463/1848 */ * s1_z;
-    const double g1_x_2 = 0.6813528138528139 /* 62957/92400 */ * s2_x;
-    const double g1_y_2 = 0.6813528138528139 /* 62957/92400 */ * s2_y;
-    const double g1_z_2 = 0.6813528138528139 /* 62957/92400 */ * s2_z;
+    /* g1 = 463/1848 p1 + 62957/92400 p2 + 38963/92400 p3   [song2013 expanded coning, derived here] */
+    const double g1_x_1 = 0.25054112554112556 /* 463/1848 */ * p1_x;
+    const double g1_y_1 = 0.25054112554112556 /* 463/1848 */ * p1_y;
+    const double g1_z_1 = 0.25054112554112556 /* 463/1848 */ * p1_z;
+    const double g1_x_2 = 0.6813528138528139 /* 62957/92400 */ * p2_x;
+    const double g1_y_2 = 0.6813528138528139 /* 62957/92400 */ * p2_y;
+    const double g1_z_2 = 0.6813528138528139 /* 62957/92400 */ * p2_z;
     const double g1_x_3 = g1_x_1 + g1_x_2;
     const double g1_y_3 = g1_y_1 + g1_y_2;
     const double g1_z_3 = g1_z_1 + g1_z_2;
-    const double g1_x_4 = 0.42167748917748915 /* 38963/92400 */ * s3_x;
-    const double g1_y_4 = 0.42167748917748915 /* 38963/92400 */ * s3_y;
-    const double g1_z_4 = 0.42167748917748915 /* 38963/92400 */ * s3_z;
+    const double g1_x_4 = 0.42167748917748915 /* 38963/92400 */ * p3_x;
+    const double g1_y_4 = 0.42167748917748915 /* 38963/92400 */ * p3_y;
+    const double g1_z_4 = 0.42167748917748915 /* 38963/92400 */ * p3_z;
     const double g1_x = g1_x_3 + g1_x_4;
     const double g1_y = g1_y_3 + g1_y_4;
     const double g1_z = g1_z_3 + g1_z_4;
@@ -183,19 +185,19 @@ void rotation_vector_6_expanded_float64_update(
     const double coning1_z_2 = g1_y * d1_x;
     const double coning1_z = coning1_z_1 - coning1_z_2;
 
-    /* g2 = -17377/92400 s1 + 587/3300 s2 + 54731/92400 s3   [song2013 expanded coning, derived here] */
-    const double g2_x_1 = -0.18806277056277057 /* -17377/92400 */ * s1_x;
-    const double g2_y_1 = -0.18806277056277057 /* -17377/92400 */ * s1_y;
-    const double g2_z_1 = -0.18806277056277057 /* -17377/92400 */ * s1_z;
-    const double g2_x_2 = 0.1778787878787879 /* 587/3300 */ * s2_x;
-    const double g2_y_2 = 0.1778787878787879 /* 587/3300 */ * s2_y;
-    const double g2_z_2 = 0.1778787878787879 /* 587/3300 */ * s2_z;
+    /* g2 = -17377/92400 p1 + 587/3300 p2 + 54731/92400 p3   [song2013 expanded coning, derived here] */
+    const double g2_x_1 = -0.18806277056277057 /* -17377/92400 */ * p1_x;
+    const double g2_y_1 = -0.18806277056277057 /* -17377/92400 */ * p1_y;
+    const double g2_z_1 = -0.18806277056277057 /* -17377/92400 */ * p1_z;
+    const double g2_x_2 = 0.1778787878787879 /* 587/3300 */ * p2_x;
+    const double g2_y_2 = 0.1778787878787879 /* 587/3300 */ * p2_y;
+    const double g2_z_2 = 0.1778787878787879 /* 587/3300 */ * p2_z;
     const double g2_x_3 = g2_x_1 + g2_x_2;
     const double g2_y_3 = g2_y_1 + g2_y_2;
     const double g2_z_3 = g2_z_1 + g2_z_2;
-    const double g2_x_4 = 0.5923268398268399 /* 54731/92400 */ * s3_x;
-    const double g2_y_4 = 0.5923268398268399 /* 54731/92400 */ * s3_y;
-    const double g2_z_4 = 0.5923268398268399 /* 54731/92400 */ * s3_z;
+    const double g2_x_4 = 0.5923268398268399 /* 54731/92400 */ * p3_x;
+    const double g2_y_4 = 0.5923268398268399 /* 54731/92400 */ * p3_y;
+    const double g2_z_4 = 0.5923268398268399 /* 54731/92400 */ * p3_z;
     const double g2_x = g2_x_3 + g2_x_4;
     const double g2_y = g2_y_3 + g2_y_4;
     const double g2_z = g2_z_3 + g2_z_4;
@@ -211,22 +213,22 @@ void rotation_vector_6_expanded_float64_update(
     const double coning2_z_2 = g2_y * d2_x;
     const double coning2_z = coning2_z_1 - coning2_z_2;
 
-    /* g3 = 17561/92400 s1 + 2207/92400 s2 + 3139/11550 s3   [song2013 expanded coning, derived here] */
+    /* g3 = 17561/92400 p1 + 2207/92400 p2 + 3139/11550 p3   [song2013 expanded coning, derived here] */
     const double coning_x_1 = coning1_x + coning2_x;
     const double coning_y_1 = coning1_y + coning2_y;
     const double coning_z_1 = coning1_z + coning2_z;
-    const double g3_x_1 = 0.19005411255411256 /* 17561/92400 */ * s1_x;
-    const double g3_y_1 = 0.19005411255411256 /* 17561/92400 */ * s1_y;
-    const double g3_z_1 = 0.19005411255411256 /* 17561/92400 */ * s1_z;
-    const double g3_x_2 = 0.023885281385281384 /* 2207/92400 */ * s2_x;
-    const double g3_y_2 = 0.023885281385281384 /* 2207/92400 */ * s2_y;
-    const double g3_z_2 = 0.023885281385281384 /* 2207/92400 */ * s2_z;
+    const double g3_x_1 = 0.19005411255411256 /* 17561/92400 */ * p1_x;
+    const double g3_y_1 = 0.19005411255411256 /* 17561/92400 */ * p1_y;
+    const double g3_z_1 = 0.19005411255411256 /* 17561/92400 */ * p1_z;
+    const double g3_x_2 = 0.023885281385281384 /* 2207/92400 */ * p2_x;
+    const double g3_y_2 = 0.023885281385281384 /* 2207/92400 */ * p2_y;
+    const double g3_z_2 = 0.023885281385281384 /* 2207/92400 */ * p2_z;
     const double g3_x_3 = g3_x_1 + g3_x_2;
     const double g3_y_3 = g3_y_1 + g3_y_2;
     const double g3_z_3 = g3_z_1 + g3_z_2;
-    const double g3_x_4 = 0.2717748917748918 /* 3139/11550 */ * s3_x;
-    const double g3_y_4 = 0.2717748917748918 /* 3139/11550 */ * s3_y;
-    const double g3_z_4 = 0.2717748917748918 /* 3139/11550 */ * s3_z;
+    const double g3_x_4 = 0.2717748917748918 /* 3139/11550 */ * p3_x;
+    const double g3_y_4 = 0.2717748917748918 /* 3139/11550 */ * p3_y;
+    const double g3_z_4 = 0.2717748917748918 /* 3139/11550 */ * p3_z;
     const double g3_x = g3_x_3 + g3_x_4;
     const double g3_y = g3_y_3 + g3_y_4;
     const double g3_z = g3_z_3 + g3_z_4;

@@ -40,6 +40,7 @@ def picard(order: int | str) -> Algorithm:
         order=2,
         properties=SYMMETRIC,
         summary="r = [a_c, a_s sigma], sigma = theta",
+        truncation=None if order == "closed" else lambda size: left_out(int(order), size),
     )
     def single(q: Quaternion, dtheta: Vectors) -> Any:
         (theta,) = dtheta
@@ -57,6 +58,16 @@ def picard(order: int | str) -> Algorithm:
         return q * _series_factored(sigma, int(order))
 
     return single
+
+
+def left_out(order: int, size: F) -> tuple[F, F]:
+    """Return bounds of the first terms dropped, which bound alternating, falling series: |sigma| <= size < pi."""
+    square = size * size
+    scalar = {1: square / 8, 2: square**2 / 384, 3: square**2 / 384, 4: square**3 / 46080}[order]
+    vector = {1: size * square / 48, 2: size * square / 48, 3: size * square**2 / 3840, 4: size * square**2 / 3840}[
+        order
+    ]
+    return scalar, vector
 
 
 def _series_as_written(sigma: Vector, order: int) -> Quaternion:

@@ -1,8 +1,8 @@
 """Rotation-vector algorithms: N angle increments make one rotation vector, its exponential the update.
 
 phi = S + sum k_ij theta_i x theta_j (cao (12), xu2019 (4)); the weights are derived in `coefficients`.
-A set that is symmetric in time needs only floor(N/2) cross products: with s_i = theta_i + theta_(N+1-i)
-and d_j = theta_(N+1-j) - theta_j the second-order term is sum_j (sum_i c_ij s_i) x d_j. Sums are formed
+A set that is symmetric in time needs only floor(N/2) cross products: with p_i = theta_i + theta_(N+1-i)
+and d_j = theta_(N+1-j) - theta_j the second-order term is sum_j (sum_i c_ij p_i) x d_j. Sums are formed
 by symmetric pairs, so that reversing time negates phi to the last bit.
 """
 
@@ -163,9 +163,9 @@ def _pairwise(dtheta: Sequence[Vector]) -> tuple[Vector, list[Vector], list[Vect
     def mark(i: int) -> str:
         return "" if n < 4 else str(i)
 
-    sums = [step(f"s{mark(i)} = theta_{i} + theta_{n + 1 - i}", "", dtheta[i - 1] + dtheta[n - i]) for i in half]
+    sums = [step(f"p{mark(i)} = theta_{i} + theta_{n + 1 - i}", "", dtheta[i - 1] + dtheta[n - i]) for i in half]
     differences = [step(f"d{mark(j)} = theta_{n + 1 - j} - theta_{j}", "", dtheta[n - j] - dtheta[j - 1]) for j in half]
-    text = " + ".join(f"s{mark(i)}" for i in half)
+    text = " + ".join(f"p{mark(i)}" for i in half)
     total = sums[0]
     for each in sums[1:]:
         total = total + each
@@ -199,7 +199,7 @@ def _factored(
     for j, difference in enumerate(differences):
         mark = "" if n < 4 else str(j + 1)
         column = [row[j] for row in table]
-        names = [f"s{i + 1 if n > 3 else ''}" for i in range(n // 2)] + [f"theta_{n // 2 + 1}"] * (n % 2)
+        names = [f"p{i + 1 if n > 3 else ''}" for i in range(n // 2)] + [f"theta_{n // 2 + 1}"] * (n % 2)
         text = " ".join(f"{_signed(c, i == 0)} {names[i]}" for i, c in enumerate(column))
         g = step(f"g{mark} = {text}", source, _weighted(column, sums))
         term = step(f"{'coning' if n < 4 else 'coning' + mark} = g{mark} x d{mark}", source, cross(g, difference))

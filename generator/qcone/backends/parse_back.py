@@ -54,6 +54,10 @@ def read_functions(header: str, source: str) -> dict[str, tuple[str, tuple[Line,
         raise UnreadableError(f"not C: {error}") from error
     found = {}
     for node in tree.ext:
+        if not isinstance(node, c_ast.FuncDef | c_ast.Typedef) and not isinstance(node.type, c_ast.FuncDecl):
+            raise UnreadableError(f"a declaration outside every function: {getattr(node, 'name', None)}")
+        if isinstance(node, c_ast.Typedef) and node.name != "int32_t" and not node.name.endswith("_state"):
+            raise UnreadableError(f"a type that is not emitted: {node.name}")
         if isinstance(node, c_ast.FuncDef):
             try:
                 found[node.decl.name] = (_signature(node), tuple(_lines(node.body.block_items or ())))

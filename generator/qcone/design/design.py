@@ -47,8 +47,8 @@ class Design:
     """One design with every default filled in.
 
     `axes` holds, for each body axis, the index of the sensor axis (0..2) and its sign (+1 or -1).
-    `file` is the design file's base name, empty from the command line; `directory` its folder, from which a
-    user's own `my_paper.py:my_update` is found. Mappings are to be read, never written.
+    `file` is the design file's base name, empty from the command line, `line` that of its table; `directory` is its
+    folder, from which a user's own `my_paper.py:my_update` is found. Mappings are to be read, never written.
     """
 
     name: str
@@ -72,6 +72,7 @@ class Design:
     budget: Mapping[str, int] = field(hash=False)
     target_budgets: Mapping[str, Mapping[str, int]] = field(hash=False)
     directory: Path | None = field(default=None, compare=False)
+    line: int = field(default=0, compare=False)
 
     @property
     def digest(self) -> str:
@@ -83,7 +84,7 @@ class Design:
         return hashlib.sha256(text.encode("ascii")).hexdigest()
 
 
-_UNDIGESTED = frozenset({"file", "directory", "budget", "target_budgets"})
+_UNDIGESTED = frozenset({"file", "directory", "line", "budget", "target_budgets"})
 
 
 def _plain(value: object) -> object:

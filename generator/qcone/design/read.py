@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -48,7 +49,7 @@ def read_designs(path: Path, catalogue: Sequence[AlgorithmEntry]) -> tuple[Desig
         places = FilePlaces(file, name, lines)
         design, findings = resolve(name, table, places, catalogue, file=path.name, directory=path.parent)
         found += problems(findings, places)
-        designs += [design] if design else []
+        designs += [replace(design, line=lines.line(("design", name)))] if design else []
     if found:
         raise DesignError([problem for _, problem in sorted(found, key=lambda each: each[0])])
     return tuple(designs)

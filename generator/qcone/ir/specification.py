@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Any
 
 from qcone.errors import UsageError
 
 Author = Callable[..., Any]
+Truncation = Callable[[Fraction], tuple[Fraction, Fraction]]
+"""From a bound of an increment, rad, to bounds of the error of r: of its scalar part, of its vector part."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +36,8 @@ class Algorithm:
     form where that differs. `startup` serves the first updates after a restart, until the history is full.
     `order` is the global order of accuracy in general motion; `properties` are the symmetries that hold
     to the last bit: "cyclic", "flip", "time-reversal", "constant-rate"; `written_properties` are those of
-    the paper's own form, where its order of operations keeps fewer.
+    the paper's own form, where its order of operations keeps fewer. `truncation` bounds what a series of the
+    algorithm's own leaves out.
     """
 
     name: str
@@ -48,6 +52,7 @@ class Algorithm:
     written_properties: frozenset[str] | None = None
     errata: tuple[str, ...] = ()
     summary: str = ""
+    truncation: Truncation | None = None
 
     def factored(self, function: Author) -> Algorithm:
         """Take `function` as the form firmware runs; what was decorated first stays the paper's own form."""
@@ -77,6 +82,7 @@ def algorithm(
     startup: Algorithm | None = None,
     errata: tuple[str, ...] = (),
     summary: str = "",
+    truncation: Truncation | None = None,
 ) -> Callable[[Author], Algorithm]:
     """Make an `Algorithm` of the decorated function.
 
@@ -101,6 +107,7 @@ def algorithm(
             startup=startup,
             errata=errata,
             summary=summary,
+            truncation=truncation,
         )
 
     return decorate

@@ -57,7 +57,10 @@ def attitude(algorithm: Algorithm, form: str, builder: Builder, arguments: Mappi
         builder.refuse_open_loop()
     except QconeError as error:
         raise type(error)(f"{_place(function, error)}: algorithm '{algorithm.name}': {error}") from error
-    except Exception as error:  # the author's code may fail in any way; it is shown as the author's mistake
+    except (
+        Exception,
+        SystemExit,
+    ) as error:  # the author's code may fail in any way; it is shown as the author's mistake
         what = f"{type(error).__name__}: {error}"
         raise UsageError(f"{_place(function, error)}: algorithm '{algorithm.name}': {what}") from error
     for name, value in names.items():

@@ -9,7 +9,7 @@ from pathlib import Path
 from qcone import verify
 from qcone.bundle import compare, with_manifest, write
 from qcone.design import Design
-from qcone.pipeline import build
+from qcone.pipeline import build, build_all
 
 Row = dict[str, object]
 
@@ -19,7 +19,7 @@ def generate(designs: Iterable[Design], folder: Path, force: bool, cc: str | Non
 
     Returns one row a file: `created`, `changed` or `same`. Raises the errors of `build`, `verify.accept` and `write`.
     """
-    accepted = [verify.accept(build(design), cc) for design in designs]
+    accepted = [verify.accept(bundle, cc) for bundle in build_all(designs)]
     rows: list[Row] = []
     words = {"missing": "created", "fresh": "same"}
     for each, files in zip(accepted, write(accepted, folder, force), strict=True):

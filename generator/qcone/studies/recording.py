@@ -42,6 +42,7 @@ class Recording:
     sample_hz: Fraction
     notes: tuple[str, ...] = ()
     source: str = "recording"
+    path: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -103,7 +104,7 @@ def read_recording(
     if wanted_hz is not None:
         time_s, values, remarks = resample(str(path), kind, time_s, values, wanted_hz)
         hz, notes = wanted_hz, notes + remarks
-    return Recording(kind, time_s, values, hz, notes, str(path))
+    return Recording(kind, time_s, values, hz, notes, str(path), path)
 
 
 def split_updates(recording: Recording, subsamples: int) -> Updates:

@@ -65,6 +65,8 @@ def run(
     say: Say,
 ) -> list[dict[str, object]]:
     """Run each design on the recording; write the first one's attitude; return their differences to it in degrees."""
+    if output is not None and output.exists() and recording.path is not None and output.samefile(recording.path):
+        raise UsageError(f"{output}: this is the recording itself; write the attitude to another file")
     rows: list[dict[str, object]] = []
     first: Replay | None = None
     for design in designs:
@@ -75,7 +77,7 @@ def run(
             first = done
             if output is not None:
                 write_attitude(output, done.time_s, done.q)
-        rows.append(_difference(design, done, first))
+        rows.append({**_difference(design, done, first), "differing_bits": 0 if compare else None})
     return rows
 
 
