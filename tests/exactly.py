@@ -33,7 +33,11 @@ def number_of(text: str) -> Any:
 
 
 def cases(truth: Path, n: int, coefficients: str) -> Iterator[Case]:
-    key = KEYS["coning" if coefficients == "expanded" and n <= 3 else coefficients]
+    yield from cases_of(truth, n, KEYS["coning" if coefficients == "expanded" and n <= 3 else coefficients])
+
+
+def cases_of(truth: Path, n: int, key: str) -> Iterator[Case]:
+    """Yield the cases of N sub-samples with the r of an algorithm by the key of the truth files."""
     for entry in _load(truth / "truth_motions.json"):
         r = entry["updates"][str(n)]["r_algorithm"][key]
         yield entry["name"], [list(map(number_of, row)) for row in entry["theta"][:n]], list(map(number_of, r))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import qcone
 from qcone.algorithms import CATALOGUE
+from qcone.algorithms import family as family_of
 from qcone.bundle import Bundle
 from qcone.design import Design, design_from_options, read_designs
 from qcone.pipeline import build
@@ -23,6 +24,11 @@ EXAMPLES = {
 }
 """Every algorithm of the catalogue: its family and its parameters, by a readable name."""
 
+THROUGH_PHI = ("rotation-vector", "picard")
+"""Families whose update is the exponential of a rotation vector, or a series of it."""
+WITH_PHI = [name for name, (family, _) in EXAMPLES.items() if family in THROUGH_PHI]
+WITHOUT_PHI = [name for name in EXAMPLES if name not in WITH_PHI]
+
 
 @cache
 def shipped(name: str) -> Bundle:
@@ -30,8 +36,13 @@ def shipped(name: str) -> Bundle:
 
 
 def design_of(example: str, **options: object) -> Design:
-    """Return the design of an algorithm of the catalogue; 0.1 rad an update unless `options` say otherwise."""
+    """Return the design of an algorithm of the catalogue; 0.1 rad an update unless `options` say otherwise.
+
+    What evaluates the rate takes rates, everything else increments.
+    """
     family, parameters = EXAMPLES[example]
     given = {name: value for name, value in parameters.items() if value}
+    if family_of(family).make(parameters).takes == "omega":
+        given["input"] = "rate"
     base: Mapping[str, object] = {"number": "float64", "max_rate_dps": "573", "update_hz": "100"}
     return design_from_options("tested", {"algorithm": family, **given, **base, **options}, entries())

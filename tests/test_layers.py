@@ -17,7 +17,9 @@ LAYERS: tuple[frozenset[str], ...] = (
     frozenset({"formats"}),
     frozenset({"ir", "design"}),
     frozenset({"algorithms", "passes", "backends", "targets", "reference"}),
-    frozenset({"admission", "assembly", "bundle", "contract", "pipeline", "registry", "vectors", "verify"}),
+    frozenset(
+        {"admission", "assembly", "bundle", "contract", "pipeline", "registry", "state_routines", "vectors", "verify"}
+    ),
     frozenset({"studies", "reports"}),
     frozenset({"cli"}),
     frozenset({"__main__"}),

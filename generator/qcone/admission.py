@@ -23,17 +23,31 @@ def number_of(design: Design) -> Floating:
     if design.input == "counts":
         what = 'input = "counts" is not available in this version'
         raise problem(design, "QC202", what, "", 'use input = "increment" or "rate"')
-    if "euler" in design.outputs:
-        what = 'the output "euler" is not available in this version'
-        raise problem(design, "QC203", what, "", 'use "quaternion" and "dcm"')
     return number
 
 
 def check_stages(design: Design, algorithm: Algorithm) -> None:
-    """Raise DesignError when the stage from rates to increments does not fit the design."""
+    """Raise DesignError when the input, or the stage from rates to increments, does not fit the algorithm."""
+    if algorithm.takes == "omega" and design.input != "rate":
+        what = f'{algorithm.name} takes rates, the design has input = "{design.input}"'
+        raise problem(design, "QC207", what, "it evaluates the rate at instants", 'set input = "rate"')
     if design.increments != "interpolating" and design.input != "rate":
         what = f'increments = "{design.increments}" belongs to input = "rate"'
         raise problem(design, "QC205", what, "angle increments need no stage before the update", "leave the key out")
+    if algorithm.state == "euler":
+        _check_angles(design, algorithm)
     if design.increments == "cao-13" and algorithm.subsamples != 3:
         what = f'increments = "cao-13" needs three sub-samples, the algorithm has {algorithm.subsamples}'
         raise problem(design, "QC206", what, "cao (13) is a rule for four rates", 'use increments = "interpolating"')
+
+
+def _check_angles(design: Design, algorithm: Algorithm) -> None:
+    """Raise DesignError for what an attitude kept as roll, pitch, yaw cannot have."""
+    refused = (
+        ("euler", design.euler, "zxy", "its equations are those of zyx", "leave the key out"),
+        ("accumulate", design.number.accumulate, "compensated", "angles are wrapped, not carried on", "leave it out"),
+        ("renormalise", design.renormalise, "separate", "angles have no length to bring back", "leave it out"),
+    )
+    for key, given, other, why, hint in refused:
+        if given == other:
+            raise problem(design, "QC208", f'{algorithm.name} has no {key} = "{other}"', why, hint)

@@ -10,18 +10,21 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from qcone.algorithms import attitude, increments
+from qcone import state_routines as around
+from qcone.algorithms import increments
 from qcone.design import Design
 from qcone.errors import UsageError
 from qcone.ir import trace
-from qcone.ir.blocks import Quantity, Quaternion, Vector, of
+from qcone.ir.blocks import Vector, of
 from qcone.ir.builder import Builder
 from qcone.ir.operations import RealOp
-from qcone.ir.specification import Algorithm
+from qcone.ir.specification import Algorithm, Author, Phase
 from qcone.ir.statement import Advance, Block, Choose, Place, Program, Role, Routine, Shape, Step
-from qcone.ir.writing import Series, Writing
+from qcone.ir.writing import Functions, Series, Writing
 from qcone.passes.ranges import rotation_vector_bound
 
+Axes = tuple[tuple[int, int], ...]
+SAME_AXES: Axes = ((0, 1), (1, 1), (2, 1))
 PI_ABOVE = Fraction(314159265358980, 10**14)
 """A rational just above pi, for declared rates in deg/s."""
 
@@ -66,9 +69,11 @@ def rotation_bound(algorithm: Algorithm, design: Design) -> Fraction | None:
     Both written forms give the same phi, so the smaller of their bounds holds for both.
     Raises UsageError when the argument of exp cannot be bounded.
     """
-    bounds = []
+    bounds: list[Fraction] = []
     accumulate = "standard" if design.number.accumulate == "standard" else "delta"
-    for form in ("as-written", "factored"):
+    for form in ("factored", "as-written"):
+        if form == "as-written" and not bounds:
+            break
         routines = _update_routines(algorithm, design, Writing(form=form, accumulate=accumulate))
         try:
             found = [rotation_vector_bound(routine) for routine in routines]
@@ -81,196 +86,138 @@ def rotation_bound(algorithm: Algorithm, design: Design) -> Fraction | None:
 
 def assemble(algorithm: Algorithm, design: Design, writing: Writing) -> Program:
     """Return the program of a design in the real language, every routine as its author wrote it."""
-    q, others = _state(algorithm, design)
-    state = (q, *others)
-    routines = [_init(state, writing), _set_quaternion(state, writing)]
-    if design.input == "rate":
-        routines.append(_start(others[0], writing))
+    state = _state(algorithm, design)
+    held, blocks = state[0], {block.name: block for block in state}
+    routines = [around.initial(state, writing), around.setter(state, writing)]
+    if "omega_last" in blocks:
+        routines.append(around.start(blocks["omega_last"], writing))
     routines += _update_routines(algorithm, design, writing)
-    if design.renormalise == "separate" and not writing.as_written:
-        routines.append(_renormalise(q, writing))
-    routines.append(_quaternion(q, writing))
+    if design.renormalise == "separate" and not writing.as_written and held.name != "rpy":
+        routines.append(around.renormalise(held, writing))
+    routines.append(around.quaternion(held, writing, design.euler))
     if "dcm" in design.outputs:
-        routines.append(_dcm(q, writing))
+        routines.append(around.dcm(held, writing, design.euler))
+    if "euler" in design.outputs:
+        routines.append(around.euler(held, writing, design.euler))
+    if "error" in blocks:
+        routines.append(around.error_estimate(blocks["error"], writing))
+    if algorithm.phases:
+        held_back = max((phase.limit for phase in algorithm.phases if phase.name == "hold"), default=0)
+        routines.append(around.ready(blocks["count"], held_back + 1))
     return Program(design.name, state, tuple(routines))
 
 
-def writing_of(design: Design, series: Series | None) -> Writing:
+def writing_of(design: Design, series: Series | None, functions: Functions | None = None) -> Writing:
     """Return how the design wants the shorthand written out."""
     rolled = design.loop == "rolled"
     if design.form == "as-written":
-        return Writing("as-written", None, "standard", False, rolled)
+        return Writing("as-written", None, "standard", False, rolled, functions)
     accumulate = "standard" if design.number.accumulate == "standard" else "delta"
-    return Writing("factored", series, accumulate, design.renormalise == "every", rolled)
+    return Writing("factored", series, accumulate, design.renormalise == "every", rolled, functions)
 
 
-def _state(algorithm: Algorithm, design: Design) -> tuple[Block, tuple[Block, ...]]:
-    q = Block("q", Shape.QUATERNION, Role.STATE, unit="attitude quaternion q_nb: w, x, y, z; body to navigation")
-    others = []
+def _state(algorithm: Algorithm, design: Design) -> tuple[Block, ...]:
+    """Return the attitude, then what is kept beside it."""
+    blocks = [around.ATTITUDES[algorithm.state]]
     if design.input == "rate":
-        others.append(
-            Block("omega_last", Shape.VECTOR, Role.STATE, unit="newest rate sample so far, rad/s, sensor axes")
-        )
+        unit = "newest rate sample so far, rad/s, sensor axes"
+        blocks.append(Block("omega_last", Shape.VECTOR, Role.STATE, unit=unit))
     if algorithm.previous:
-        unit = "earlier angle increments, newest first, rad, body axes"
-        others.append(Block("previous", Shape.VECTOR, Role.STATE, algorithm.previous, unit))
-        others.append(Block("count", Shape.SCALAR, Role.STATE, unit="updates since the last restart", integer=True))
-    return q, tuple(others)
+        unit = "earlier angle increments, newest first, rad, sensor axes"
+        blocks.append(Block("previous", Shape.VECTOR, Role.STATE, algorithm.previous, unit))
+    blocks += algorithm.memory
+    if _phases(algorithm):
+        unit = "updates since the last restart, as far as they matter"
+        blocks.append(Block("count", Shape.SCALAR, Role.STATE, unit=unit, integer=True))
+    return tuple(blocks)
+
+
+def _phases(algorithm: Algorithm) -> tuple[Phase, ...]:
+    """Return what serves the first updates after a restart; a history form's are its start-up."""
+    if not algorithm.previous:
+        return algorithm.phases
+    startup = algorithm.startup or algorithm
+    return (Phase("start_up", algorithm.previous, startup.write, startup.written),)
 
 
 def _update_routines(algorithm: Algorithm, design: Design, writing: Writing) -> list[Routine]:
-    if not algorithm.previous:
-        return [_update(algorithm, algorithm, design, writing, "update")]
-    startup = algorithm.startup or algorithm
-    first = _update(startup, algorithm, design, writing, "start_up")
-    steady = _update(algorithm, algorithm, design, writing, "steady")
-    blocks = tuple(block for block in steady.blocks if block.role is not Role.LOCAL)
-    place = Place("count")
-    step = Step(f"the history is full after {algorithm.previous} updates")
-    choice = Choose(place, ((algorithm.previous, "start_up"),), "steady")
+    phases = _phases(algorithm)
+    if not phases:
+        return [_update(algorithm, algorithm.author(writing.form), design, writing, "update")]
+    routines = [_update(algorithm, each.author(writing.form), design, writing, each.name) for each in phases]
+    steady = _update(algorithm, algorithm.author(writing.form), design, writing, "steady")
+    counted = [each.with_body((*each.body, Advance(Place("count"), len(each.steps) - 1))) for each in routines]
+    blocks = tuple(block for block in steady.blocks if block.role not in (Role.LOCAL, Role.TABLE))
+    choice = Choose(Place("count"), tuple((each.limit, each.name) for each in phases), "steady")
+    step = Step(f"the history is full after {phases[-1].limit} updates")
     update = Routine("update", blocks, (choice,), (step,), summary="Advance the attitude by one update.")
-    return [first, steady, update]
+    return [*counted, steady, update]
 
 
-def _update(algorithm: Algorithm, whole: Algorithm, design: Design, writing: Writing, name: str) -> Routine:
+def _update(algorithm: Algorithm, author: Author, design: Design, writing: Writing, name: str) -> Routine:
     """Write one update: read, permute the axes, make increments of rates, run the author's function, store."""
-    known = declaration(design, whole)
-    q, others = _state(whole, design)
-    rates = design.input == "rate"
+    known = declaration(design, algorithm)
+    state = _state(algorithm, design)
+    held, rates = state[0], design.input == "rate"
     unit, norm = ("rad/s", known.rate) if rates else ("rad", known.increment)
-    given = Block("omega" if rates else "dtheta", Shape.VECTOR, Role.INPUT, whole.subsamples, unit, norm)
-    builder = Builder(name, (q, *others, given), writing, trace.heading(algorithm.author(writing.form)))
-    attitude_now = _read(builder, q, 0)
-    samples = [_in_body_axes(builder, given, k, design.axes) for k in range(whole.subsamples)]
-    builder.label(Step("attitude and input"))
+    given = Block("omega" if rates else "dtheta", Shape.VECTOR, Role.INPUT, algorithm.subsamples, unit, norm)
+    builder = Builder(name, (*state, given), writing, trace.heading(author))
+    arguments: dict[str, object] = {held.name: around.read(builder, held, 0), "interval": known.interval}
+    samples = [_entry(builder, given, k, norm) for k in range(algorithm.subsamples)]
+    builder.label(Step(f"attitude and input{_said(design.axes)}"))
     if rates:
-        first = _in_body_axes(builder, others[0], 0, design.axes, given.norm)
+        last = next(block for block in state if block.name == "omega_last")
+        samples.insert(0, _entry(builder, last, 0, norm))
         builder.label(Step("the sample at the start of the interval"))
-        dtheta = increments.increments((first, *samples), known.interval, design.increments)
-        dtheta = tuple(of(builder, Shape.VECTOR, each.values, known.increment) for each in dtheta)
-    else:
-        dtheta = tuple(samples)
-    arguments: dict[str, object] = {"q": attitude_now, "dtheta": dtheta}
-    previous = next((block for block in others if block.name == "previous"), None)
-    if previous is not None:
-        before = tuple(
-            of(builder, Shape.VECTOR, _read(builder, previous, k).values, known.increment)
-            for k in range(previous.count)
-        )
-        builder.label(Step("increments of the updates before, newest first"))
-        arguments["previous"] = before
-    result = trace.attitude(algorithm, writing.form, builder, arguments)
-    _write(builder, q, 0, result)
+    made = tuple(samples)
+    if rates and algorithm.takes == "dtheta":
+        steps = increments.increments(samples, known.interval, design.increments)
+        made = tuple(of(builder, Shape.VECTOR, each.values, known.increment) for each in steps)
+    arguments[algorithm.takes] = tuple(_turned(builder, vector, design.axes) for vector in made)
+    before: tuple[Vector, ...] = ()
+    if algorithm.previous:
+        block = next(block for block in state if block.name == "previous")
+        before = tuple(_entry(builder, block, k, known.increment) for k in range(block.count))
+        builder.label(Step(block.unit))
+        arguments["previous"] = tuple(_turned(builder, vector, design.axes) for vector in before)
+    for block in algorithm.memory:
+        arguments[block.name] = tuple(around.read(builder, block, k) for k in range(block.count))
+        builder.label(Step(block.unit))
+    result, kept = trace.attitude(algorithm.name, author, builder, arguments)
+    around.write(builder, held, 0, result)
     if rates:
-        _write_raw(builder, others[0], given, whole.subsamples - 1)
-    if previous is not None:
-        kept = [*reversed(dtheta), *before][: previous.count]
-        for k, vector in enumerate(kept):
-            _write(builder, previous, k, vector)
+        around.write_raw(builder, last, given, algorithm.subsamples - 1)
+    if algorithm.previous:
+        for k, vector in enumerate((*reversed(made), *before)[: algorithm.previous]):
+            around.write(builder, next(block for block in state if block.name == "previous"), k, vector)
+    for block in algorithm.memory:
+        for k, quantity in enumerate(kept.get(block.name, ())):
+            around.write(builder, block, k, quantity)
     builder.label(Step("store"))
-    routine = builder.routine("Advance the attitude by one update.")
-    if previous is not None and name == "start_up":
-        routine = routine.with_body((*routine.body, Advance(Place("count"), len(routine.steps) - 1)))
-    return routine
+    return builder.routine("Advance the attitude by one update.")
 
 
-def _read(builder: Builder, block: Block, entry: int) -> Quantity:
-    size = block.shape.value
-    values = [builder.read(block, size * entry + part) for part in range(size)]
-    quantity: Quantity = of(builder, block.shape, values, block.norm)
-    return quantity
+def _entry(builder: Builder, block: Block, entry: int, norm: Fraction) -> Vector:
+    """Read a vector, along the axes it is kept in, under a bound of its norm."""
+    vector: Vector = of(builder, Shape.VECTOR, around.read(builder, block, entry).values, norm)
+    return vector
 
 
-def _in_body_axes(
-    builder: Builder,
-    block: Block,
-    entry: int,
-    axes: tuple[tuple[int, int], ...],
-    norm: Fraction | None = None,
-) -> Vector:
-    """Read a vector given along the sensor's axes and return it along the body's: signs only, no arithmetic."""
-    vector = _read(builder, block, entry)
-    if axes == ((0, 1), (1, 1), (2, 1)):
-        values = vector.values
-    else:
-        number = str(entry + 1) if block.count > 1 else ""
-        for value in vector.values:
-            builder.names.pop(value, None)
-        values = tuple(_turned(builder, vector.values[index], sign) for index, sign in axes)
-        builder.name_values(f"{block.name}{number}", Shape.VECTOR, values)
-    turned: Vector = of(builder, Shape.VECTOR, values, norm or block.norm)
-    return turned
+def _turned(builder: Builder, vector: Vector, axes: Axes) -> Vector:
+    """Return a vector given along the sensor's axes as one along the body's: signs only, no arithmetic is left."""
+    if axes == SAME_AXES:
+        return vector
+    values = [vector.values[index] for index, _ in axes]
+    signed = [
+        value if sign > 0 else builder.emit(RealOp.NEGATE, value) for value, (_, sign) in zip(values, axes, strict=True)
+    ]
+    return Vector(builder, tuple(signed), builder.group("scale", signed, (vector.group,), Fraction(1)))
 
 
-def _turned(builder: Builder, value: int, sign: int) -> int:
-    return value if sign > 0 else builder.emit(RealOp.NEGATE, value)
-
-
-def _write(builder: Builder, block: Block, entry: int, quantity: Quantity) -> None:
-    for part, value in enumerate(quantity.values):
-        builder.write(block, block.shape.value * entry + part, value)
-
-
-def _write_raw(builder: Builder, block: Block, source: Block, entry: int) -> None:
-    """Keep the newest sample as the sensor gave it."""
-    values = [builder.read(source, 3 * entry + part) for part in range(3)]
-    for part, value in enumerate(values):
-        builder.write(block, part, value)
-
-
-def _init(state: tuple[Block, ...], writing: Writing) -> Routine:
-    builder = Builder("init", state, writing)
-    for block in state:
-        for part in range(block.size):
-            one = block.name == "q" and part == 0
-            builder.write(block, part, builder.constant(Fraction(1 if one else 0)))
-    return builder.routine("Set the identity attitude and clear the history.")
-
-
-def _set_quaternion(state: tuple[Block, ...], writing: Writing) -> Routine:
-    given = Block("q_nb", Shape.QUATERNION, Role.INPUT, unit="unit attitude quaternion: w, x, y, z")
-    builder = Builder("set_quaternion", (*state, given), writing)
-    result = attitude.normalised(_as_quaternion(builder, given))
-    for block in state:
-        if block.name == "q":
-            _write(builder, block, 0, result)
-        elif block.name != "omega_last":
-            for part in range(block.size):
-                builder.write(block, part, builder.constant(Fraction(0)))
-    builder.label(Step("store"))
-    return builder.routine("Set the attitude, normalised once, and clear the history.")
-
-
-def _as_quaternion(builder: Builder, block: Block) -> Quaternion:
-    quantity = _read(builder, block, 0)
-    assert isinstance(quantity, Quaternion)
-    builder.label(Step(f"{block.name}, read once"))
-    return quantity
-
-
-def _start(omega_last: Block, writing: Writing) -> Routine:
-    given = Block("omega", Shape.VECTOR, Role.INPUT, unit="rad/s")
-    builder = Builder("start", (omega_last, given), writing)
-    _write_raw(builder, omega_last, given, 0)
-    return builder.routine("Take the rate sample at the start of the first update.")
-
-
-def _renormalise(q: Block, writing: Writing) -> Routine:
-    builder = Builder("renormalise", (q,), writing)
-    _write(builder, q, 0, attitude.normalised(_as_quaternion(builder, q)))
-    return builder.routine("Bring the attitude quaternion back to unit length, by one Newton step.")
-
-
-def _quaternion(q: Block, writing: Writing) -> Routine:
-    out = Block("q_nb", Shape.QUATERNION, Role.OUTPUT, unit="attitude quaternion: w, x, y, z; body to navigation")
-    builder = Builder("quaternion", (q, out), writing)
-    _write(builder, out, 0, _read(builder, q, 0))
-    return builder.routine("Give the attitude quaternion.")
-
-
-def _dcm(q: Block, writing: Writing) -> Routine:
-    out = Block("c_nb", Shape.MATRIX, Role.OUTPUT, unit="direction cosine matrix, row major: v_n = C_nb v_b")
-    builder = Builder("dcm", (q, out), writing)
-    form = attitude.dcm_squares if writing.as_written else attitude.dcm
-    _write(builder, out, 0, form(_as_quaternion(builder, q)))
-    return builder.routine("Give the direction cosine matrix.")
+def _said(axes: Axes) -> str:
+    """Return how the body's axes lie in the sensor's, as a remark; nothing where they are the same."""
+    if axes == SAME_AXES:
+        return ""
+    return ", along the sensor's axes: body x, y, z = " + ", ".join(
+        f"{'-' if s < 0 else ''}{'xyz'[i]}" for i, s in axes
+    )

@@ -3,33 +3,22 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 import click
 
 from qcone import __version__
 from qcone.errors import QconeError, UsageError
+from qcone.reports.progress import shown
+from qcone.reports.table import render
 
-T = TypeVar("T")
 LAYOUTS = ("table", "json", "csv", "md", "tex")
-DESIGN_OPTIONS = (
-    "subsamples",
-    "coefficients",
-    "previous",
-    "order",
-    "form",
-    "exponential",
-    "renormalise",
-    "loop",
-    "axes",
-    "increments",
-    "accumulate",
-    "number",
-    "max-rate-dps",
-    "update-hz",
-)
+DESIGN_OPTIONS = (  # noqa: SIM905  seventeen lines say no more
+    "subsamples coefficients previous order about attitude starter form exponential "
+    "renormalise loop axes increments accumulate number max-rate-dps update-hz"
+).split()
 DEFAULT_ROWS = 100_000
 
 
@@ -80,7 +69,6 @@ def design_options(command: Callable[..., Any]) -> Callable[..., Any]:
 @main.command()
 def demo() -> None:
     """Generate a design, compile it, verify its bits, print its cost, replay a motion."""
-    from qcone.reports.table import render
     from qcone.studies.demonstration import demonstrate
 
     for step in demonstrate():
@@ -123,18 +111,16 @@ def generate(
     from qcone.studies import generating
     from qcone.studies.selection import designs_of
 
-    designs = designs_of(files, names)
+    designs = designs_of(files, names, _say)
     if check or dry_run:
-        rows = generating.status(_shown(designs, "checking"), Path(output))
+        rows = generating.status(shown(designs, "checking"), Path(output))
         _print("generate", rows, layout)
-        if check and any(row["status"] != "fresh" for row in rows):
-            sys.exit(1)
-        return
+        sys.exit(int(check and any(row["status"] != "fresh" for row in rows)))
     if diff:
         text = generating.diff(designs, Path(output))
         click.echo(text, nl=False)
         sys.exit(1 if text else 0)
-    _print("generate", generating.generate(_shown(designs, "generating"), Path(output), force, cc), layout)
+    _print("generate", generating.generate(shown(designs, "generating"), Path(output), force, cc), layout)
 
 
 @main.command()
@@ -160,10 +146,9 @@ def verify(
     from qcone.studies.selection import designs_of
     from qcone.studies.verifying import verify_designs
 
-    outcomes = list(verify_designs(_shown(designs_of(files, names), "verifying"), target, rows, cc, cflags, seed))
+    outcomes = list(verify_designs(shown(designs_of(files, names, _say), "verifying"), target, rows, cc, cflags, seed))
     _print("verify", [outcome.row for outcome in outcomes], layout)
-    if any(outcome.failed for outcome in outcomes):
-        sys.exit(1)
+    sys.exit(int(any(outcome.failed for outcome in outcomes)))
 
 
 @main.command()
@@ -196,8 +181,8 @@ def counts(
     else:
         defaults = {"number": "float64", "max-rate-dps": "573", "update-hz": "100", "outputs": "quaternion,dcm"}
         design = from_options("counted", subject, options, defaults)
-        rows = counting.rows_of_design(design, (form,) if form else counting.FORMS, against)
-        rows = [{**row, "design": None} for row in rows]
+        forms = (form,) if form else counting.FORMS
+        rows = [{**row, "design": None} for row in counting.rows_of_design(design, forms, against)]
     _print("counts", rows, layout)
 
 
@@ -242,12 +227,45 @@ def replay(
         designs = [session.design_for(recording, algorithm, options, _say)]
     else:
         refuse_options(options, "the design file decides; leave the option out")
-        designs = [one_design(each) for each in named]
+        designs = [one_design(each, _say) for each in named]
     if output is None and len(designs) < 2:
         raise UsageError("-o OUT.csv says where the attitude is to be written")
-    rows = session.run(_shown(designs, "replaying"), recording, session.quaternion(initial), output, cc, compare, _say)
+    rows = session.run(shown(designs, "replaying"), recording, session.quaternion(initial), output, cc, compare, _say)
     if len(designs) > 1 or layout != "table":
         _print("replay", rows, layout)
+
+
+@main.command()
+@click.argument("algorithm", metavar="ALGORITHM")
+@design_options
+@report
+def explain(algorithm: str, layout: str, **options: str | None) -> None:
+    """Explain an algorithm: its derivation with exact rationals, its leading error, known errata."""
+    from qcone.studies.explaining import rows
+    from qcone.studies.selection import from_options
+
+    defaults = {"number": "float64", "max-rate-dps": "573", "update-hz": "100"}
+    _print("explain", rows(from_options("explained", algorithm, options, defaults)), layout)
+
+
+@main.command()
+@click.argument("paper", metavar="[PAPER]", required=False)
+@click.option("--plots", type=click.Path(path_type=Path), metavar="DIR", help="Draw the papers' figures there, as SVG.")
+@click.option("--seed", default=0, type=click.IntRange(0), help="Seed of the noise and of the cases drawn at random.")
+@click.option("--rate-hz", default=100.0, help="Slowest sampling rate; the others keep their ratio to it.")
+@report
+def reproduce(paper: str | None, plots: Path | None, seed: int, rate_hz: float, layout: str) -> None:
+    """Measure the claims of cao, thesis2008, rins and xu2019 anew, and tell which hold."""
+    from qcone.reports import figures
+    from qcone.studies import reproducing
+
+    settings = reproducing.settings_of(paper, seed, rate_hz)
+    folder = figures.prepare(plots)
+    rows = reproducing.rows(shown(reproducing.work(paper, settings), "reproducing"))
+    _print("reproduce", rows, layout)
+    for file in figures.draw(shown(reproducing.figures(paper, settings), "drawing"), folder):
+        _say(f"drawn: {file}")
+    sys.exit(int(reproducing.broken(rows, settings)))
 
 
 @main.command()
@@ -274,21 +292,8 @@ def schema() -> None:
 
 
 def _print(command: str, rows: Sequence[dict[str, object]], layout: str) -> None:
-    from qcone.reports.table import render
-
     click.echo(render(command, rows, layout), nl=False)
 
 
-def _say(note: str) -> None:
-    click.echo(f"note: {note}", err=True)
-
-
-def _shown(items: Sequence[T], what: str) -> Iterator[T]:
-    """Yield the items, with a progress bar on a terminal where there are several."""
-    if len(items) < 2 or not sys.stderr.isatty():
-        yield from items
-        return
-    from rich.console import Console
-    from rich.progress import track
-
-    yield from track(items, description=what, console=Console(stderr=True), transient=True)
+def _say(text: str, kind: str = "note") -> None:
+    click.echo(f"{kind}: {text}", err=True)

@@ -16,6 +16,7 @@ from qcone.formats.floating import Floating
 from qcone.ir.specification import Algorithm
 from qcone.ir.statement import Routine
 from qcone.passes.exponential import Exponential
+from qcone.registry import caution_of
 
 INTERFACE = 1
 """Raised when the emitted functions, macros or state change their meaning."""
@@ -55,11 +56,12 @@ def command(design: Design) -> str:
 def banner(facts: Facts) -> tuple[str, ...]:
     """Return the lines of the comment that opens both files."""
     design, algorithm = facts.design, facts.algorithm
+    caution = caution_of(design)
     lines = [
         f"qcone {__version__}, design {design.name}, SHA-256 of the design",
         facts.digest,
         "",
-        *_item("algorithm", f"{algorithm.name}, form {design.form}, {_accumulation(design)}"),
+        *_item("algorithm", f"{algorithm.name}, form {design.form}, {_accumulation(facts)}"),
         *_item("source", _source(algorithm)),
         *(_item("equation", algorithm.summary) if algorithm.summary else []),
         *_item("number", f"{facts.number.name}, every operation rounded once"),
@@ -68,14 +70,16 @@ def banner(facts: Facts) -> tuple[str, ...]:
         *_item("range", _range(facts)),
         *_item("truncation", truncation(facts)),
         *_item("rounding", "not bounded"),
+        *(_item("caution", caution) if caution else []),
         "",
-        "operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig",
+        "operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select",
     ]
     for routine, levels in facts.counts.items():
         for level, counts in levels.items():
             lines.append(
                 f"{routine + ' ' + level:<18}{counts.multiply:>8}{counts.power_of_two:>8}{counts.add:>5}"
                 f"{counts.subtract:>10}{counts.negate:>8}{counts.divide:>8}{counts.square_root:>6}{counts.trigonometric:>6}"
+                f"{counts.compare:>6}{counts.select:>8}"
             )
     return (*lines, "", *textwrap.wrap(ANY_MACHINE, WIDTH))
 
@@ -90,20 +94,25 @@ def _plain(text: str) -> str:
     return " ".join(text.replace("*/", "* /").replace("/*", "/ *").split())
 
 
-def _accumulation(design: Design) -> str:
+def _accumulation(facts: Facts) -> str:
+    """Say how an update reaches the attitude, in the form the attitude is kept."""
+    design, algorithm = facts.design, facts.algorithm
+    whole, added = {
+        "quaternion": ("q' = q (x) r", "q' = q + q (x) (r - 1)"),
+        "dcm": ("C' = C R", "C' = C + dC, two rows and their cross product"),
+        "euler": ("rpy' = rpy + change", "rpy' = rpy + change"),
+    }[algorithm.state]
+    if algorithm.state == "euler":
+        return added
+    if algorithm.takes == "omega" and algorithm.state == "quaternion":
+        whole = added = "q' = q + dq"
     if design.form == "as-written":
-        return "q' = q (x) r, not renormalised"
-    kinds = {
-        "standard": "q' = q (x) r",
-        "delta": "q' = q + q (x) (r - 1)",
-        "compensated": "q' = q + q (x) (r - 1), the rounding carried to the next update (Kahan)",
-    }
-    folded = {
-        "every": "renormalised on every update",
-        "separate": "renormalised by a call",
-        "never": "not renormalised",
-    }
-    return f"{kinds[design.number.accumulate]}, {folded[design.renormalise]}"
+        return f"{whole}, not renormalised"
+    standard = design.number.accumulate == "standard" and algorithm.state == "quaternion"
+    carried = ", the rounding carried to the next update (Kahan)" if design.number.accumulate == "compensated" else ""
+    word = "renormalised" if algorithm.state == "quaternion" else "re-orthogonalised"
+    folded = {"every": f"{word} on every update", "separate": f"{word} by a call", "never": f"not {word}"}
+    return f"{whole if standard else added}{carried}, {folded[design.renormalise]}"
 
 
 def _source(algorithm: Algorithm) -> str:
@@ -123,14 +132,17 @@ def _range(facts: Facts) -> str:
 
 
 def truncation(facts: Facts) -> str:
-    """Return the proven error of the exponential's polynomials, as a sentence."""
-    chosen = facts.exponential
+    """Return the proven error of the exponential's polynomials, or what stands in its place, as a sentence."""
+    chosen, order = facts.exponential, facts.algorithm.order
     if chosen is None:
         made = facts.algorithm.truncation
-        if made is None:
-            return "that of the algorithm's own series, not bounded here"
-        scalar, vector = (_digits(each, 2) for each in made(facts.known.increment))
-        return f"series of the algorithm's order in |phi|; error of r at most {scalar} (scalar), {vector} (vector)"
+        if made is not None:
+            scalar, vector = (_digits(each, 2) for each in made(facts.known.increment))
+            return f"series of the algorithm's order in |phi|; error of r at most {scalar} (scalar), {vector} (vector)"
+        functions = "no function is approximated"
+        if facts.algorithm.state == "euler":
+            functions = "sine and cosine by polynomials, each within a quarter of the last place of 1"
+        return f"{functions}; the method is of order {order} in the interval" if order else functions
     return (
         f"{chosen.kind} polynomials of degree {len(chosen.series.cosine)} (cos) and {len(chosen.series.sine)} (sin) in "
         f"|phi|^2; error of r at most {_digits(chosen.scalar_error, 2)} (scalar), {_digits(chosen.vector_error, 2)} "
@@ -171,13 +183,27 @@ def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
             "One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are cleared.",
             *(["The newest rate is kept: start() need not be called again."] if rates else []),
         ],
+        "set_dcm": [
+            "c_nb: row major, orthonormal to within the format's rounding; v_n = C_nb v_b.",
+            "One Newton step orthonormalises two rows, the third is their cross product. History is cleared.",
+        ],
+        "set_euler": [
+            f"angles: roll, pitch, yaw, rad, each at most pi in size; convention {facts.design.euler}. "
+            "History is cleared."
+        ],
         "start": ["omega: rad/s, sensor axes. To be called once before the first update."],
         "renormalise": [
             "To be called by the user now and then: a length 1 + e, |e| <= 1/2, becomes 1 within 3/2 e^2 + 1/2 |e|^3.",
             "How often is not proven for this format: its rounding bound is not computed.",
         ],
         "quaternion": [f"q_nb: w, x, y, z; body to navigation. |q_nb| = 1 {_norm(facts)}."],
-        "dcm": ["c_nb: row major, v_n = C_nb v_b, of the attitude as quaternion() gives it."],
+        "dcm": [f"c_nb: row major, v_n = C_nb v_b, {_matrix(facts)}."],
+        "euler": _angles(facts),
+        "error_estimate": ["e: Milne's estimate of the last step's error, components w, x, y, z of the quaternion."],
+        "ready": [
+            "1 once the attitude belongs to the time of the newest rate; 0 before the first update, and while the "
+            "starter waits."
+        ],
     }
     if routine.name != "update":
         lines = text[routine.name]
@@ -188,12 +214,17 @@ def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
         lines = [
             f"{given}: {n} x 3 values, {given}[3*k + axis], sub-sample k = 0 first; {unit}; sensor axes.",
             f"Range: norm of each at most {_digits(bound)}; {BEYOND}.",
-            f"Truncation: {truncation(facts)}. Rounding: not bounded.",
+            f"Truncation: {truncation(facts)}.",
+            "Rounding: not bounded.",
         ]
         if rates:
             lines.insert(1, "The rate at the start of the interval is the last one of the update before, or start()'s.")
         if facts.algorithm.previous:
             lines.append(f"The first {facts.algorithm.previous} updates after a restart use no history.")
+        if any(phase.name == "hold" for phase in facts.algorithm.phases):
+            lines.append(
+                "After a restart the attitude is held for two updates and current from the third on: see ready()."
+            )
     tail = ["Arguments must not overlap the state. A reader that interrupts an update may see a torn state."]
     wrapped = [line for text_line in [*lines, *(tail if routine.name == "update" else [])] for line in _wrap(text_line)]
     return (*_wrap(f"{routine.summary} Type of values: {ctype}."), "", *wrapped)
@@ -204,7 +235,30 @@ def _wrap(text: str) -> list[str]:
 
 
 def _norm(facts: Facts) -> str:
-    design = facts.design
-    if design.form == "factored" and design.renormalise == "every":
-        return "to within rounding and the truncation error of r, which the next update takes away"
+    design, state = facts.design, facts.algorithm.state
+    renormalised = design.form == "factored" and design.renormalise == "every"
+    if state == "euler" or (renormalised and facts.exponential):
+        return "to within a few units of the last place"
+    if renormalised:
+        return "but for rounding and what the truncation of one update adds"
     return "up to the drift of truncation and rounding, not bounded"
+
+
+def _matrix(facts: Facts) -> str:
+    if facts.algorithm.state == "dcm":
+        return "as it is kept"
+    return "of the attitude as quaternion() gives it"
+
+
+def _angles(facts: Facts) -> list[str]:
+    convention = facts.design.euler
+    if facts.algorithm.state == "euler":
+        return [
+            f"angles: roll, pitch, yaw, rad, convention {convention}, as they are kept: each in [-pi, pi]. "
+            "Past a pole the pitch goes on beyond pi/2."
+        ]
+    return [
+        f"rpy: roll, pitch, yaw, rad, convention {convention}; roll and yaw in [-pi, pi], pitch at most pi/2 in size.",
+        "The attitude of the three angles is within 8 units in the last place of pi of the quaternion's, poles "
+        "included; each angle within 4 such units over cos(pitch).",
+    ]

@@ -18,7 +18,8 @@ from qcone import contract
 from qcone.admission import check_stages, number_of, problem
 from qcone.assembly import assemble, declaration, rotation_bound, writing_of
 from qcone.backends import page as pages
-from qcone.backends.c_source import functions, state_fields, state_initialiser
+from qcone.backends.c_source import functions
+from qcone.backends.c_state import state_fields, state_initialiser
 from qcone.backends.counts import Counts, count
 from qcone.bundle import Bundle
 from qcone.contract import Facts
@@ -30,20 +31,25 @@ from qcone.ir.evaluate import agree
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.specification import Algorithm
-from qcone.ir.statement import Loop, Program, Role, Routine, Shape, reachable, walk
+from qcone.ir.statement import Loop, Operation, Program, Role, Routine, Shape, reachable, walk
 from qcone.passes.compensate import compensate
 from qcone.passes.exponential import Exponential, choose
 from qcone.passes.fold import fold
+from qcone.passes.functions import choose_functions
 from qcone.passes.lower_float import lower_program
 from qcone.passes.naming import name_values
 from qcone.passes.share import share
 from qcone.passes.signs import signs
 from qcone.passes.sweep import sweep
+from qcone.passes.zeros import zeros
 from qcone.registry import algorithm_of, digest_of
+from qcone.state_routines import SETTERS
 from qcone.targets.probe import contraction_probe
 
-EXACT: tuple[Callable[[Routine], Routine], ...] = (fold, share, sweep, signs, sweep)
+EXACT: tuple[Callable[[Routine], Routine], ...] = (fold, share, zeros, sweep, signs, sweep)
 RESERVED = ("state", "result")
+COUNTED = ("update", "hold", "start_up", "steady", "dcm", "euler")
+"""The routines whose operations are reported: those that run with every update, and the outputs beyond a copy."""
 
 
 def build(design: Design) -> Bundle:
@@ -78,7 +84,7 @@ def write(design: Design, algorithm: Algorithm, exponential: Exponential | None)
 
     Raises UsageError when loops kept as loops do not say what they say written out, turn by turn.
     """
-    writing = writing_of(design, exponential.series if exponential else None)
+    writing = writing_of(design, exponential.series if exponential else None, choose_functions(number_of(design)))
     program = check_program(assemble(algorithm, design, writing), RealOp)
     if writing.rolled:
         written_out = assemble(algorithm, design, replace(writing, rolled=False))
@@ -111,7 +117,7 @@ def levels(written: Program, ready: Program, machine: Program) -> dict[str, dict
     """Count the routines that firmware runs every update, at three levels."""
     found: dict[str, dict[str, Counts]] = {}
     for routine in machine.routines:
-        if routine.name in ("init", "set_quaternion", "start", "quaternion", "renormalise"):
+        if routine.name not in COUNTED:
             continue
         if routine.name == "update" and machine.has("steady"):
             continue
@@ -157,7 +163,7 @@ def _print(facts: Facts, written: Program, machine: Program) -> Bundle:
         macros=contract.macros(facts, state_initialiser(machine, number)),
         fields=tuple(pages.Field(*each) for each in state_fields(machine, number)),
         functions=documented,
-        integers=any(block.integer for block in machine.state) or _has_loops(machine),
+        integers=any(block.integer for block in machine.state) or _has_integers(machine),
         significand="FLT_MANT_DIG" if number.ctype == "float" else "DBL_MANT_DIG",
         digits=number.precision,
         interface=contract.INTERFACE,
@@ -176,9 +182,14 @@ def _print(facts: Facts, written: Program, machine: Program) -> Bundle:
     )
 
 
-def _has_loops(machine: Program) -> bool:
+def _has_integers(machine: Program) -> bool:
+    """Tell whether a routine counts in a loop or compares."""
     every = (each for routine in machine.routines for each in (routine, *reachable(routine)))
-    return any(isinstance(statement, Loop) for routine in every for statement in walk(routine.body))
+    return any(
+        isinstance(each, Loop) or (isinstance(each, Operation) and each.op is MachineOp.LESS)
+        for routine in every
+        for each in walk(routine.body)
+    )
 
 
 def _driver(machine: Program, number: Floating) -> pages.Driver:
@@ -188,15 +199,19 @@ def _driver(machine: Program, number: Floating) -> pages.Driver:
         single = block.shape is Shape.SCALAR and block.count == 1
         words += [f"{cast}state.{block.name}{'' if single else f'[{k}]'}" for k in range(block.size)]
     given = machine.routine("update").having(Role.INPUT)[0]
-    outputs = 4 + (9 if machine.has("dcm") else 0)
+    setter = next(routine for routine in machine.routines if routine.name in SETTERS.values())
+    reports = [(each.name, each.having(Role.OUTPUT)) for each in machine.routines if each.having(Role.OUTPUT)]
+    outputs = tuple((name, blocks[0].size) for name, blocks in reports)
     return pages.Driver(
         name=machine.name,
         ctype=number.ctype,
         input_size=given.size,
         has_start=machine.has("start"),
-        has_dcm=machine.has("dcm"),
+        setter=setter.name,
+        attitude_size=setter.having(Role.INPUT)[0].size,
+        outputs=outputs,
         state_words=tuple(words),
-        word_count=len(words) + outputs,
+        word_count=len(words) + sum(size for _, size in outputs),
         probe=contraction_probe(f"{machine.name}_contracts"),
     )
 

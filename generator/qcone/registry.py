@@ -45,6 +45,11 @@ def algorithm_of(design: Design) -> Algorithm:
     return found
 
 
+def caution_of(design: Design) -> str | None:
+    """Return what speaks against a design that is no mistake; None for most, and for a user's own algorithm."""
+    return None if ":" in design.algorithm else family(design.algorithm).caution(design.parameters)
+
+
 def digest_of(design: Design) -> str:
     """Return the SHA-256 of the design; with a user's own file, of its text too, so that its edits show."""
     if ":" not in design.algorithm:

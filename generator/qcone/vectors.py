@@ -51,7 +51,23 @@ def draw(bundle: Bundle, rows: int, seed: int = 1) -> Vectors:
     radius = float(block.norm or 1)
     inputs = _samples(generator, (lanes, steps, block.count), radius, dtype).reshape(lanes, steps, block.size)
     before = _samples(generator, (lanes, steps), radius, dtype)
-    return Vectors(_restarts(generator, lanes, steps), _attitudes(generator, (lanes, steps), dtype), before, inputs)
+    attitudes = in_form(_attitudes(generator, (lanes, steps)), bundle.driver.setter).astype(dtype)
+    return Vectors(_restarts(generator, lanes, steps), attitudes, before, inputs)
+
+
+def in_form(q: NDArray[Any], setter: str, convention: str = "zyx") -> NDArray[Any]:
+    """Return unit quaternions (..., 4) as the state takes them: so, as matrices (..., 9) or Euler angles (..., 3)."""
+    if setter == "set_quaternion":
+        return q
+    w, x, y, z = np.moveaxis(q, -1, 0)
+    if setter == "set_euler":
+        return _angles(w, x, y, z, convention)
+    rows = [
+        *(w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        *(2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)),
+        *(2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z),
+    ]
+    return np.stack(rows, axis=-1)
 
 
 def _restarts(generator: np.random.Generator, lanes: int, steps: int) -> NDArray[np.int32]:
@@ -62,13 +78,22 @@ def _restarts(generator: np.random.Generator, lanes: int, steps: int) -> NDArray
     return restart
 
 
-def _attitudes(generator: np.random.Generator, shape: tuple[int, int], dtype: Any) -> NDArray[Any]:
+def _angles(w: NDArray[Any], x: NDArray[Any], y: NDArray[Any], z: NDArray[Any], convention: str) -> NDArray[Any]:
+    """Return roll, pitch, yaw by half sums and half differences."""
+    a, b = (x, y) if convention == "zyx" else (y, -x)
+    half_sum, half_difference = np.arctan2(z + a, w - b), np.arctan2(z - a, w + b)
+    up, down = np.hypot(w + b, z - a), np.hypot(w - b, z + a)
+    pitch = (2 * np.arctan2(up, down) - np.pi / 2) * (1 if convention == "zyx" else -1)
+    return np.stack([half_sum - half_difference, pitch, half_sum + half_difference], axis=-1)
+
+
+def _attitudes(generator: np.random.Generator, shape: tuple[int, int]) -> NDArray[Any]:
     q = generator.standard_normal((*shape, 4))
     q /= np.linalg.norm(q, axis=-1, keepdims=True)
     corners = np.concatenate([np.eye(4), -np.eye(4), np.full((1, 4), 0.5)])
     chosen = generator.random(shape) < 0.1
     q[chosen] = corners[generator.integers(len(corners), size=int(chosen.sum()))]
-    return q.astype(dtype)
+    return q
 
 
 def _samples(generator: np.random.Generator, shape: tuple[int, ...], radius: float, dtype: Any) -> NDArray[Any]:

@@ -49,7 +49,7 @@ def test_lanes_are_independent_and_keep_the_type(name: str) -> None:
     steps = [inputs_of(bundle, 7, seed) for seed in range(4)]
     for given in steps:
         model.run("update", together, given)
-    assert together["q"].dtype == dtype
+    assert together[bundle.machine.state[0].name].dtype == dtype
     for lane in range(7):
         alone = new_state(bundle.machine, bundle.facts.number, 1)
         model.run("init", alone)

@@ -76,7 +76,7 @@ LOOPS = {
     "first turn": ("n = 1; n <= 3", "n = 2; n <= 3"),
     "last turn": ("n = 1; n <= 3", "n = 1; n <= 2"),
     "index": ("term[3 * n - 3]", "term[3 * n - 2]"),
-    "table entry": ("{ 1.0F, 0.25F,", "{ 1.0F, 0.125F,"),
+    "table entry": ("1.0F, 0.25F,", "1.0F, 0.125F,"),
     "table size": ("weight[4]", "weight[5]"),
     "argument of the call": ("turned_1, turned_2", "turned_2, turned_1"),
     "part of the result": ("_result[1];", "_result[2];"),
@@ -141,7 +141,7 @@ UNREADABLE = {
     "for (int32_t n = 3; n <= 3; --n) { }": "a loop that is not emitted",
     "if (a[0] > 2) { g(a); } else { g(a); }": "a condition that is not emitted",
     "const float b = a[1 << 1];": "an index that is not emitted: BinaryOp",
-    "return;": "a statement that is not emitted: Return",
+    "return;": "a return that is not emitted",
     "const float b = a[0] % 2;": "an operator that is not emitted: %",
     "const float b = !a[0];": "an operand that is not emitted: UnaryOp",
 }

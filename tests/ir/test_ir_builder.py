@@ -10,9 +10,10 @@ from quantities import BLOCKS, F, Page
 
 from qcone.errors import UsageError
 from qcone.ir import products
-from qcone.ir.blocks import Matrix, cross, dot, matrix, named, number, sqrt, step
+from qcone.ir.blocks import Matrix, cross, dot, matrix, number, sqrt
 from qcone.ir.builder import Builder
 from qcone.ir.index import Index
+from qcone.ir.labels import named, step
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, Place, Role, Routine, Shape, Step, Write, walk
 from qcone.ir.update import quaternion

@@ -11,11 +11,12 @@ import mpmath
 import pytest
 
 from qcone.errors import UsageError
-from qcone.ir.blocks import cross, number, of, sqrt, step
+from qcone.ir.blocks import cross, number, of, sqrt
 from qcone.ir.builder import Builder
 from qcone.ir.evaluate import EXACT, Numbers, agree, evaluate
 from qcone.ir.index import Index
 from qcone.ir.indexed import history, loop, table
+from qcone.ir.labels import step
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Advance, Block, Choose, Operation, Place, Role, Routine, Shape, Write, walk
 from qcone.ir.subroutine import subroutine

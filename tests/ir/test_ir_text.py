@@ -5,10 +5,11 @@ from __future__ import annotations
 from fractions import Fraction
 
 from qcone.formats.floating import FLOAT32
-from qcone.ir.blocks import cross, named, of, step
+from qcone.ir.blocks import cross, of
 from qcone.ir.builder import Builder
 from qcone.ir.index import Index
 from qcone.ir.indexed import history, loop, table
+from qcone.ir.labels import named, step
 from qcone.ir.statement import Advance, Block, Choose, Place, Program, Role, Routine, Shape, Step
 from qcone.ir.subroutine import subroutine
 from qcone.ir.text import dump, dump_program

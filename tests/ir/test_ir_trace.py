@@ -184,19 +184,15 @@ def test_one_return_line_with_everything(tmp_path: Path) -> None:
 AXES = "y,-x,z"
 
 
-def test_turned_axes_are_named_as_the_body_has_them(tmp_path: Path) -> None:
+def test_turned_axes_are_read_as_the_sensor_has_them(tmp_path: Path) -> None:
     routine = update_of(tmp_path, "return q * exp(dtheta[0])\n", axes=AXES)
     by_name = {name: value for value, name in routine.names.items()}
     definitions = {each.result: each for each in routine.body if isinstance(each, Operation)}
-    first = definitions[by_name["dtheta_x"]]
-    second = definitions[by_name["dtheta_y"]]
-    assert first.op is RealOp.READ
-    assert first.place is not None
-    assert first.place.index.constant == 1
-    assert second.op is RealOp.NEGATE
-    source = definitions[second.args[0]]
-    assert source.place is not None
-    assert source.place.index.constant == 0
+    assert {by_name[f"dtheta_{axis}"] for axis in "xyz"} <= set(definitions)
+    assert [definitions[by_name[f"dtheta_{axis}"]].place.index.constant for axis in "xyz"] == [0, 1, 2]
+    assert any("along the sensor's axes: body x, y, z = " in step.text for step in routine.steps)
+    negated = [each for each in definitions.values() if each.op is RealOp.NEGATE]
+    assert [each.args for each in negated] == [(by_name["dtheta_x"],)]
 
 
 @pytest.mark.parametrize("form", ["as-written", "factored"])

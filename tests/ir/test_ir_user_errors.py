@@ -225,7 +225,7 @@ def test_a_plain_product_has_no_increment(tmp_path: Path, accumulate: str) -> No
 def test_an_argument_that_is_no_block(tmp_path: Path) -> None:
     text = paper("return q * exp(gyro[0])\n").replace("(q, dtheta)", "(q, gyro)")
     assert said(tmp_path, text) == (
-        f"my_paper.py:{FIRST - 1}: 'gyro' is not a block of this algorithm; there are: q, dtheta"
+        f"my_paper.py:{FIRST - 1}: 'gyro' is not a block of this algorithm; there are: q, interval, dtheta"
     )
 
 

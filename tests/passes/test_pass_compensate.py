@@ -106,10 +106,10 @@ def test_the_residual_is_part_of_the_state_and_is_stored_last() -> None:
 
 def test_the_steps_are_named() -> None:
     update = programs()[1].routine("update")
-    assert "y = dq - c, q_next = q + y, c_next = (q_next - q) - y, c the residual" in [
+    assert "y = increment - c, next = now + y, c_next = (next - now) - y, c the residual" in [
         each.text for each in update.steps
     ]
-    assert {"c_w", "y_x", "gained_y", "c_next_z"} <= set(update.names.values())
+    assert {"residual_w", "y_x", "gained_y", "residual_next_z"} <= set(update.names.values())
 
 
 @pytest.mark.parametrize("number", ["float32", "float64"])

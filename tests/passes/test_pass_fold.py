@@ -78,7 +78,7 @@ def test_a_division_by_zero_is_not_calculated() -> None:
 
 
 def test_the_stand_in_takes_the_name() -> None:
-    from qcone.ir.blocks import named
+    from qcone.ir.labels import named
 
     folded = fold(written(lambda v, x, s: named("whole", 1 * (x + s))))
     (total,) = (each.result for each in folded.body if isinstance(each, Operation) and each.op is RealOp.ADD)

@@ -12,9 +12,10 @@ from hypothesis import strategies as st
 from real_routines import F, written
 
 from qcone.formats.floating import FLOAT32
-from qcone.ir.blocks import cross, dot, named, step
+from qcone.ir.blocks import cross, dot
 from qcone.ir.identifier import KEYWORDS
 from qcone.ir.indexed import history, loop
+from qcone.ir.labels import named, step
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Call, Operation, Routine, walk
 from qcone.ir.subroutine import subroutine

@@ -8,10 +8,11 @@ from typing import Any
 import pytest
 from real_routines import F, operations, written
 
-from qcone.ir.blocks import cross, named, sqrt
+from qcone.ir.blocks import cross, sqrt
 from qcone.ir.check import check
 from qcone.ir.evaluate import agree
 from qcone.ir.indexed import history, loop, table
+from qcone.ir.labels import named
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, walk
 from qcone.ir.subroutine import subroutine

@@ -79,7 +79,7 @@ def test_operands_of_a_difference_stand_in_their_order() -> None:
 
 
 def test_a_name_says_that_the_sign_is_turned() -> None:
-    from qcone.ir.blocks import named
+    from qcone.ir.labels import named
 
     routine = signs(written(lambda v, x, s: x - named("p", -x * s)))
     (value,) = (each.result for each in routine.body if isinstance(each, Operation) and each.op is RealOp.MULTIPLY)
@@ -168,18 +168,10 @@ def test_every_mounting_costs_the_same(name: str) -> None:
         assert {routine: total(counts) for routine, counts in found.items()} == straight, spelt(axes)
 
 
-@pytest.mark.parametrize("name", ["three samples", "one sample of rates"])
+@pytest.mark.parametrize("name", ["three samples", "one sample of rates", "history"])
 def test_mounting_needs_no_negation(name: str) -> None:
     for axes in AXES:
         assert {counts.negate for counts in emitted(turned_design(name, axes)).values()} == {0}, spelt(axes)
-
-
-def test_a_mirrored_axis_costs_a_negation_where_its_increments_are_kept() -> None:
-    """The history is kept along the body's axes: what is stored of a mirrored axis is negated once, and no more."""
-    for axes in AXES:
-        mirrored = sum(sign < 0 for _, sign in axes)
-        found = {counts.negate for counts in emitted(turned_design("history", axes)).values()}
-        assert found == {mirrored}, spelt(axes)
 
 
 @pytest.mark.parametrize("axes", AXES, ids=spelt)

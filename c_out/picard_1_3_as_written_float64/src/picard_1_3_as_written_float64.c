@@ -18,13 +18,13 @@
  *              2.6e-09 (vector)
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * update as-written       26       0   14         2       6       0     0     0
- * update shared           23       3    8         8       0       0     0     0
- * update emitted          23       3    8         8       0       0     0     0
- * dcm as-written          30       0    6         9       0       0     0     0
- * dcm shared              10       6    6         8       0       0     0     0
- * dcm emitted             10       6    6         8       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * update as-written       26       0   14         2       6       0     0     0     0       0
+ * update shared           23       3    8         8       0       0     0     0     0       0
+ * update emitted          23       3    8         8       0       0     0     0     0       0
+ * dcm as-written          30       0    6         9       0       0     0     0     0       0
+ * dcm shared              10       6    6         8       0       0     0     0     0       0
+ * dcm emitted             10       6    6         8       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -164,10 +164,12 @@ void picard_1_3_as_written_float64_update(
 void picard_1_3_as_written_float64_quaternion(
     const picard_1_3_as_written_float64_state *state, double q_nb[4])
 {
+    /* q, read once */
     const double q_w = state->q[0];
     const double q_x = state->q[1];
     const double q_y = state->q[2];
     const double q_z = state->q[3];
+
     q_nb[0] = q_w;
     q_nb[1] = q_x;
     q_nb[2] = q_y;

@@ -18,13 +18,13 @@
  *              2.6e-09 (vector)
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * update as-written       26       0   14         2       6       0     0     0
- * update shared           23       3    8         8       0       0     0     0
- * update emitted          23       3    8         8       0       0     0     0
- * dcm as-written          30       0    6         9       0       0     0     0
- * dcm shared              10       6    6         8       0       0     0     0
- * dcm emitted             10       6    6         8       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * update as-written       26       0   14         2       6       0     0     0     0       0
+ * update shared           23       3    8         8       0       0     0     0     0       0
+ * update emitted          23       3    8         8       0       0     0     0     0       0
+ * dcm as-written          30       0    6         9       0       0     0     0     0       0
+ * dcm shared              10       6    6         8       0       0     0     0     0       0
+ * dcm emitted             10       6    6         8       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -94,7 +94,8 @@ void picard_1_3_as_written_float64_set_quaternion(
  *   beyond it, the state can diverge to NaN for good, so clamp inputs that can be so large;
  *   setting the attitude anew brings it back.
  * Truncation: series of the algorithm's order in |phi|; error of r at most 2.6e-07 (scalar),
- *   2.6e-09 (vector). Rounding: not bounded.
+ *   2.6e-09 (vector).
+ * Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
 void picard_1_3_as_written_float64_update(

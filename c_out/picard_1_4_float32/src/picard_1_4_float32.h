@@ -18,13 +18,13 @@
  *              2.6e-09 (vector)
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * update as-written       30       0   17         8       0       0     0     0
- * update shared           29       1   17         8       0       0     0     0
- * update emitted          29       1   17         8       0       0     0     0
- * dcm as-written           9       0    9         6       0       0     0     0
- * dcm shared               9       0    9         6       0       0     0     0
- * dcm emitted              9       0    9         6       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * update as-written       30       0   17         8       0       0     0     0     0       0
+ * update shared           29       1   17         8       0       0     0     0     0       0
+ * update emitted          29       1   17         8       0       0     0     0     0       0
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0
+ * dcm shared               9       0    9         6       0       0     0     0     0       0
+ * dcm emitted              9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -93,7 +93,8 @@ void picard_1_4_float32_set_quaternion(picard_1_4_float32_state *state, const fl
  *   beyond it, the state can diverge to NaN for good, so clamp inputs that can be so large;
  *   setting the attitude anew brings it back.
  * Truncation: series of the algorithm's order in |phi|; error of r at most 2.2e-11 (scalar),
- *   2.6e-09 (vector). Rounding: not bounded.
+ *   2.6e-09 (vector).
+ * Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
 void picard_1_4_float32_update(picard_1_4_float32_state *state, const float dtheta[3]);
@@ -101,8 +102,8 @@ void picard_1_4_float32_update(picard_1_4_float32_state *state, const float dthe
 /*
  * Give the attitude quaternion. Type of values: float.
  *
- * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within rounding and the truncation error of
- *   r, which the next update takes away.
+ * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 but for rounding and what the truncation of one
+ *   update adds.
  */
 void picard_1_4_float32_quaternion(const picard_1_4_float32_state *state, float q_nb[4]);
 

@@ -19,16 +19,16 @@
  *              1e-12 (scalar), 3.7e-10 (vector), proved over the rationals
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * start_up as-written      30       0   18         7       0       0     0     0
- * start_up shared         29       1   18         7       0       0     0     0
- * start_up emitted        29       1   18         7       0       0     0     0
- * steady as-written       42       0   24        10       0       0     0     0
- * steady shared           41       1   24        10       0       0     0     0
- * steady emitted          41       1   24        10       0       0     0     0
- * dcm as-written           9       0    9         6       0       0     0     0
- * dcm shared               9       0    9         6       0       0     0     0
- * dcm emitted              9       0    9         6       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * start_up as-written      30       0   18         7       0       0     0     0     0       0
+ * start_up shared         29       1   18         7       0       0     0     0     0       0
+ * start_up emitted        29       1   18         7       0       0     0     0     0       0
+ * steady as-written       42       0   24        10       0       0     0     0     0       0
+ * steady shared           41       1   24        10       0       0     0     0     0       0
+ * steady emitted          41       1   24        10       0       0     0     0     0       0
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0
+ * dcm shared               9       0    9         6       0       0     0     0     0       0
+ * dcm emitted              9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -120,7 +120,7 @@ static void rotation_vector_1_previous_2_float32_start_up(
     const float dtheta_y = dtheta[1];
     const float dtheta_z = dtheta[2];
 
-    /* increments of the updates before, newest first */
+    /* earlier angle increments, newest first, rad, sensor axes */
     const float previous1_x = state->previous[0];
     const float previous1_y = state->previous[1];
     const float previous1_z = state->previous[2];
@@ -224,7 +224,7 @@ static void rotation_vector_1_previous_2_float32_steady(
     const float dtheta_y = dtheta[1];
     const float dtheta_z = dtheta[2];
 
-    /* increments of the updates before, newest first */
+    /* earlier angle increments, newest first, rad, sensor axes */
     const float previous1_x = state->previous[0];
     const float previous1_y = state->previous[1];
     const float previous1_z = state->previous[2];
@@ -359,10 +359,12 @@ void rotation_vector_1_previous_2_float32_update(
 void rotation_vector_1_previous_2_float32_quaternion(
     const rotation_vector_1_previous_2_float32_state *state, float q_nb[4])
 {
+    /* q, read once */
     const float q_w = state->q[0];
     const float q_x = state->q[1];
     const float q_y = state->q[2];
     const float q_z = state->q[3];
+
     q_nb[0] = q_w;
     q_nb[1] = q_x;
     q_nb[2] = q_y;

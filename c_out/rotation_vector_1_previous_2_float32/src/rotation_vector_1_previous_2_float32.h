@@ -19,16 +19,16 @@
  *              1e-12 (scalar), 3.7e-10 (vector), proved over the rationals
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * start_up as-written      30       0   18         7       0       0     0     0
- * start_up shared         29       1   18         7       0       0     0     0
- * start_up emitted        29       1   18         7       0       0     0     0
- * steady as-written       42       0   24        10       0       0     0     0
- * steady shared           41       1   24        10       0       0     0     0
- * steady emitted          41       1   24        10       0       0     0     0
- * dcm as-written           9       0    9         6       0       0     0     0
- * dcm shared               9       0    9         6       0       0     0     0
- * dcm emitted              9       0    9         6       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * start_up as-written      30       0   18         7       0       0     0     0     0       0
+ * start_up shared         29       1   18         7       0       0     0     0     0       0
+ * start_up emitted        29       1   18         7       0       0     0     0     0       0
+ * steady as-written       42       0   24        10       0       0     0     0     0       0
+ * steady shared           41       1   24        10       0       0     0     0     0       0
+ * steady emitted          41       1   24        10       0       0     0     0     0       0
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0
+ * dcm shared               9       0    9         6       0       0     0     0     0       0
+ * dcm emitted              9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -71,8 +71,8 @@ extern "C" {
 /* The state of one attitude; its members are private. */
 typedef struct {
     float q[4]; /* attitude quaternion q_nb: w, x, y, z; body to navigation */
-    float previous[6]; /* earlier angle increments, newest first, rad, body axes */
-    int32_t count; /* updates since the last restart */
+    float previous[6]; /* earlier angle increments, newest first, rad, sensor axes */
+    int32_t count; /* updates since the last restart, as far as they matter */
 } rotation_vector_1_previous_2_float32_state;
 
 /*
@@ -101,7 +101,8 @@ void rotation_vector_1_previous_2_float32_set_quaternion(
  *   beyond it, the state can diverge to NaN for good, so clamp inputs that can be so large;
  *   setting the attitude anew brings it back.
  * Truncation: minimax polynomials of degree 2 (cos) and 1 (sin) in |phi|^2; error of r at most
- *   1e-12 (scalar), 3.7e-10 (vector), proved over the rationals. Rounding: not bounded.
+ *   1e-12 (scalar), 3.7e-10 (vector), proved over the rationals.
+ * Rounding: not bounded.
  * The first 2 updates after a restart use no history.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
@@ -111,8 +112,7 @@ void rotation_vector_1_previous_2_float32_update(
 /*
  * Give the attitude quaternion. Type of values: float.
  *
- * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within rounding and the truncation error of
- *   r, which the next update takes away.
+ * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
  */
 void rotation_vector_1_previous_2_float32_quaternion(
     const rotation_vector_1_previous_2_float32_state *state, float q_nb[4]);

@@ -20,16 +20,16 @@
  *              4.3e-22 (scalar), 4.5e-20 (vector), proved over the rationals
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * start_up as-written      34       0   22         7       0       0     0     0
- * start_up shared         33       1   22         7       0       0     0     0
- * start_up emitted        33       1   22         7       0       0     0     0
- * steady as-written       55       0   37        10       0       0     0     0
- * steady shared           54       1   37        10       0       0     0     0
- * steady emitted          54       1   37        10       0       0     0     0
- * dcm as-written           9       0    9         6       0       0     0     0
- * dcm shared               9       0    9         6       0       0     0     0
- * dcm emitted              9       0    9         6       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * start_up as-written      34       0   22         7       0       0     0     0     0       0
+ * start_up shared         33       1   22         7       0       0     0     0     0       0
+ * start_up emitted        33       1   22         7       0       0     0     0     0       0
+ * steady as-written       55       0   37        10       0       0     0     0     0       0
+ * steady shared           54       1   37        10       0       0     0     0     0       0
+ * steady emitted          54       1   37        10       0       0     0     0     0       0
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0
+ * dcm shared               9       0    9         6       0       0     0     0     0       0
+ * dcm emitted              9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -139,7 +139,7 @@ static void rotation_vector_1_previous_5_float64_start_up(
     const double dtheta_y = dtheta[1];
     const double dtheta_z = dtheta[2];
 
-    /* increments of the updates before, newest first */
+    /* earlier angle increments, newest first, rad, sensor axes */
     const double previous1_x = state->previous[0];
     const double previous1_y = state->previous[1];
     const double previous1_z = state->previous[2];
@@ -269,7 +269,7 @@ static void rotation_vector_1_previous_5_float64_steady(
     const double dtheta_y = dtheta[1];
     const double dtheta_z = dtheta[2];
 
-    /* increments of the updates before, newest first */
+    /* earlier angle increments, newest first, rad, sensor axes */
     const double previous1_x = state->previous[0];
     const double previous1_y = state->previous[1];
     const double previous1_z = state->previous[2];
@@ -449,10 +449,12 @@ void rotation_vector_1_previous_5_float64_update(
 void rotation_vector_1_previous_5_float64_quaternion(
     const rotation_vector_1_previous_5_float64_state *state, double q_nb[4])
 {
+    /* q, read once */
     const double q_w = state->q[0];
     const double q_x = state->q[1];
     const double q_y = state->q[2];
     const double q_z = state->q[3];
+
     q_nb[0] = q_w;
     q_nb[1] = q_x;
     q_nb[2] = q_y;

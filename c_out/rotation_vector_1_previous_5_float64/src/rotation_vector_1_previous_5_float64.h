@@ -20,16 +20,16 @@
  *              4.3e-22 (scalar), 4.5e-20 (vector), proved over the rationals
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * start_up as-written      34       0   22         7       0       0     0     0
- * start_up shared         33       1   22         7       0       0     0     0
- * start_up emitted        33       1   22         7       0       0     0     0
- * steady as-written       55       0   37        10       0       0     0     0
- * steady shared           54       1   37        10       0       0     0     0
- * steady emitted          54       1   37        10       0       0     0     0
- * dcm as-written           9       0    9         6       0       0     0     0
- * dcm shared               9       0    9         6       0       0     0     0
- * dcm emitted              9       0    9         6       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * start_up as-written      34       0   22         7       0       0     0     0     0       0
+ * start_up shared         33       1   22         7       0       0     0     0     0       0
+ * start_up emitted        33       1   22         7       0       0     0     0     0       0
+ * steady as-written       55       0   37        10       0       0     0     0     0       0
+ * steady shared           54       1   37        10       0       0     0     0     0       0
+ * steady emitted          54       1   37        10       0       0     0     0     0       0
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0
+ * dcm shared               9       0    9         6       0       0     0     0     0       0
+ * dcm emitted              9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -72,8 +72,8 @@ extern "C" {
 /* The state of one attitude; its members are private. */
 typedef struct {
     double q[4]; /* attitude quaternion q_nb: w, x, y, z; body to navigation */
-    double previous[15]; /* earlier angle increments, newest first, rad, body axes */
-    int32_t count; /* updates since the last restart */
+    double previous[15]; /* earlier angle increments, newest first, rad, sensor axes */
+    int32_t count; /* updates since the last restart, as far as they matter */
 } rotation_vector_1_previous_5_float64_state;
 
 /*
@@ -102,7 +102,8 @@ void rotation_vector_1_previous_5_float64_set_quaternion(
  *   beyond it, the state can diverge to NaN for good, so clamp inputs that can be so large;
  *   setting the attitude anew brings it back.
  * Truncation: minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
- *   4.3e-22 (scalar), 4.5e-20 (vector), proved over the rationals. Rounding: not bounded.
+ *   4.3e-22 (scalar), 4.5e-20 (vector), proved over the rationals.
+ * Rounding: not bounded.
  * The first 5 updates after a restart use no history.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
@@ -112,8 +113,7 @@ void rotation_vector_1_previous_5_float64_update(
 /*
  * Give the attitude quaternion. Type of values: double.
  *
- * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within rounding and the truncation error of
- *   r, which the next update takes away.
+ * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
  */
 void rotation_vector_1_previous_5_float64_quaternion(
     const rotation_vector_1_previous_5_float64_state *state, double q_nb[4]);

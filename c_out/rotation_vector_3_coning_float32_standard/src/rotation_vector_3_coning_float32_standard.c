@@ -19,13 +19,13 @@
  *              2.5e-11 (scalar), 3.8e-10 (vector), proved over the rationals
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * update as-written       39       0   30        13       0       0     0     0
- * update shared           38       1   30        13       0       0     0     0
- * update emitted          38       1   30        13       0       0     0     0
- * dcm as-written           9       0    9         6       0       0     0     0
- * dcm shared               9       0    9         6       0       0     0     0
- * dcm emitted              9       0    9         6       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * update as-written       39       0   30        13       0       0     0     0     0       0
+ * update shared           38       1   30        13       0       0     0     0     0       0
+ * update emitted          38       1   30        13       0       0     0     0     0       0
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0
+ * dcm shared               9       0    9         6       0       0     0     0     0       0
+ * dcm emitted              9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -233,10 +233,12 @@ void rotation_vector_3_coning_float32_standard_update(
 void rotation_vector_3_coning_float32_standard_quaternion(
     const rotation_vector_3_coning_float32_standard_state *state, float q_nb[4])
 {
+    /* q, read once */
     const float q_w = state->q[0];
     const float q_x = state->q[1];
     const float q_y = state->q[2];
     const float q_z = state->q[3];
+
     q_nb[0] = q_w;
     q_nb[1] = q_x;
     q_nb[2] = q_y;

@@ -20,13 +20,13 @@
  *              4.4e-22 (scalar), 4.1e-20 (vector), proved over the rationals
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * update as-written       43       0   37        13       0       0     0     0
- * update shared           42       1   37        13       0       0     0     0
- * update emitted          42       1   37        13       0       0     0     0
- * dcm as-written           9       0    9         6       0       0     0     0
- * dcm shared               9       0    9         6       0       0     0     0
- * dcm emitted              9       0    9         6       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * update as-written       43       0   37        13       0       0     0     0     0       0
+ * update shared           42       1   37        13       0       0     0     0     0       0
+ * update emitted          42       1   37        13       0       0     0     0     0       0
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0
+ * dcm shared               9       0    9         6       0       0     0     0     0       0
+ * dcm emitted              9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -96,7 +96,8 @@ void rotation_vector_3_coning_float64_set_quaternion(
  *   beyond it, the state can diverge to NaN for good, so clamp inputs that can be so large;
  *   setting the attitude anew brings it back.
  * Truncation: minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
- *   4.4e-22 (scalar), 4.1e-20 (vector), proved over the rationals. Rounding: not bounded.
+ *   4.4e-22 (scalar), 4.1e-20 (vector), proved over the rationals.
+ * Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
 void rotation_vector_3_coning_float64_update(
@@ -105,8 +106,7 @@ void rotation_vector_3_coning_float64_update(
 /*
  * Give the attitude quaternion. Type of values: double.
  *
- * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within rounding and the truncation error of
- *   r, which the next update takes away.
+ * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
  */
 void rotation_vector_3_coning_float64_quaternion(
     const rotation_vector_3_coning_float64_state *state, double q_nb[4]);

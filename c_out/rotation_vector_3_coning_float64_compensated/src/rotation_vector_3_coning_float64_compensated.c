@@ -20,13 +20,13 @@
  *              4.4e-22 (scalar), 4.1e-20 (vector), proved over the rationals
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * update as-written       43       0   37        13       0       0     0     0
- * update shared           42       1   37        25       0       0     0     0
- * update emitted          42       1   37        25       0       0     0     0
- * dcm as-written           9       0    9         6       0       0     0     0
- * dcm shared               9       0    9        10       0       0     0     0
- * dcm emitted              9       0    9        10       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * update as-written       43       0   37        13       0       0     0     0     0       0
+ * update shared           42       1   37        25       0       0     0     0     0       0
+ * update emitted          42       1   37        25       0       0     0     0     0       0
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0
+ * dcm shared               9       0    9        10       0       0     0     0     0       0
+ * dcm emitted              9       0    9        10       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -238,27 +238,27 @@ void rotation_vector_3_coning_float64_compensated_update(
     const double dq_z_6 = q_y * v_x;
     const double dq_z = dq_z_5 - dq_z_6;
 
-    /* y = dq - c, q_next = q + y, c_next = (q_next - q) - y, c the residual   [Kahan 1965] */
-    const double c_w = state->residual[0];
-    const double y_w = dq_w - c_w;
+    /* y = increment - c, next = now + y, c_next = (next - now) - y, c the residual   [Kahan 1965] */
+    const double residual_w = state->residual[0];
+    const double y_w = dq_w - residual_w;
     const double q_next_w = q_w + y_w;
     const double gained_w = q_next_w - q_w;
-    const double c_next_w = gained_w - y_w;
-    const double c_x = state->residual[1];
-    const double y_x = dq_x - c_x;
+    const double residual_next_w = gained_w - y_w;
+    const double residual_x = state->residual[1];
+    const double y_x = dq_x - residual_x;
     const double q_next_x = q_x + y_x;
     const double gained_x = q_next_x - q_x;
-    const double c_next_x = gained_x - y_x;
-    const double c_y = state->residual[2];
-    const double y_y = dq_y - c_y;
+    const double residual_next_x = gained_x - y_x;
+    const double residual_y = state->residual[2];
+    const double y_y = dq_y - residual_y;
     const double q_next_y = q_y + y_y;
     const double gained_y = q_next_y - q_y;
-    const double c_next_y = gained_y - y_y;
-    const double c_z = state->residual[3];
-    const double y_z = dq_z - c_z;
+    const double residual_next_y = gained_y - y_y;
+    const double residual_z = state->residual[3];
+    const double y_z = dq_z - residual_z;
     const double q_next_z = q_z + y_z;
     const double gained_z = q_next_z - q_z;
-    const double c_next_z = gained_z - y_z;
+    const double residual_next_z = gained_z - y_z;
 
     /* store */
     state->q[0] = q_next_w;
@@ -266,16 +266,17 @@ void rotation_vector_3_coning_float64_compensated_update(
     state->q[2] = q_next_y;
     state->q[3] = q_next_z;
 
-    /* y = dq - c, q_next = q + y, c_next = (q_next - q) - y, c the residual   [Kahan 1965] */
-    state->residual[0] = c_next_w;
-    state->residual[1] = c_next_x;
-    state->residual[2] = c_next_y;
-    state->residual[3] = c_next_z;
+    /* y = increment - c, next = now + y, c_next = (next - now) - y, c the residual   [Kahan 1965] */
+    state->residual[0] = residual_next_w;
+    state->residual[1] = residual_next_x;
+    state->residual[2] = residual_next_y;
+    state->residual[3] = residual_next_z;
 }
 
 void rotation_vector_3_coning_float64_compensated_quaternion(
     const rotation_vector_3_coning_float64_compensated_state *state, double q_nb[4])
 {
+    /* q, read once */
     const double state_w = state->q[0];
     const double residual_w = state->residual[0];
     const double q_w = state_w - residual_w;
@@ -288,6 +289,7 @@ void rotation_vector_3_coning_float64_compensated_quaternion(
     const double state_z = state->q[3];
     const double residual_z = state->residual[3];
     const double q_z = state_z - residual_z;
+
     q_nb[0] = q_w;
     q_nb[1] = q_x;
     q_nb[2] = q_y;

@@ -19,13 +19,13 @@
  *              1.1e-17 (scalar), 4.1e-20 (vector), proved over the rationals
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * update as-written       42       0   33        13       0       0     0     0
- * update shared           41       1   33        13       0       0     0     0
- * update emitted          41       1   33        13       0       0     0     0
- * dcm as-written           9       0    9         6       0       0     0     0
- * dcm shared               9       0    9         6       0       0     0     0
- * dcm emitted              9       0    9         6       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * update as-written       42       0   33        13       0       0     0     0     0       0
+ * update shared           41       1   33        13       0       0     0     0     0       0
+ * update emitted          41       1   33        13       0       0     0     0     0       0
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0
+ * dcm shared               9       0    9         6       0       0     0     0     0       0
+ * dcm emitted              9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -239,10 +239,12 @@ void rotation_vector_3_coning_float64_standard_update(
 void rotation_vector_3_coning_float64_standard_quaternion(
     const rotation_vector_3_coning_float64_standard_state *state, double q_nb[4])
 {
+    /* q, read once */
     const double q_w = state->q[0];
     const double q_x = state->q[1];
     const double q_y = state->q[2];
     const double q_z = state->q[3];
+
     q_nb[0] = q_w;
     q_nb[1] = q_x;
     q_nb[2] = q_y;

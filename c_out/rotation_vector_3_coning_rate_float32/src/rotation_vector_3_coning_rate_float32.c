@@ -20,13 +20,13 @@
  *              2e-11 (scalar), 6.4e-12 (vector), proved over the rationals
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * update as-written       76       0   61        13       4       0     0     0
- * update shared           75       1   61        13       0       0     0     0
- * update emitted          75       1   61        13       0       0     0     0
- * dcm as-written           9       0    9         6       0       0     0     0
- * dcm shared               9       0    9         6       0       0     0     0
- * dcm emitted              9       0    9         6       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * update as-written       76       0   61        13       3       0     0     0     0       0
+ * update shared           75       1   61        13       0       0     0     0     0       0
+ * update emitted          75       1   61        13       0       0     0     0     0       0
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0
+ * dcm shared               9       0    9         6       0       0     0     0     0       0
+ * dcm emitted              9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -109,116 +109,116 @@ void rotation_vector_3_coning_rate_float32_start(
 void rotation_vector_3_coning_rate_float32_update(
     rotation_vector_3_coning_rate_float32_state *state, const float omega[9])
 {
-    /* attitude and input */
+    /* attitude and input, along the sensor's axes: body x, y, z = y, -x, z */
     const float q_w = state->q[0];
     const float q_x = state->q[1];
     const float q_y = state->q[2];
     const float q_z = state->q[3];
-    const float omega1_y_negated = omega[0];
-    const float omega1_x = omega[1];
+    const float omega1_x = omega[0];
+    const float omega1_y = omega[1];
     const float omega1_z = omega[2];
-    const float omega2_y_negated = omega[3];
-    const float omega2_x = omega[4];
+    const float omega2_x = omega[3];
+    const float omega2_y = omega[4];
     const float omega2_z = omega[5];
-    const float omega3_y_negated = omega[6];
-    const float omega3_x = omega[7];
+    const float omega3_x = omega[6];
+    const float omega3_y = omega[7];
     const float omega3_z = omega[8];
 
     /* the sample at the start of the interval */
-    const float omega_last_y_negated = state->omega_last[0];
-    const float omega_last_x = state->omega_last[1];
+    const float omega_last_x = state->omega_last[0];
+    const float omega_last_y = state->omega_last[1];
     const float omega_last_z = state->omega_last[2];
 
     /* theta1 = T (1/8 w0 + 19/72 w1 - 5/72 w2 + 1/72 w3)   [polynomial through all samples] */
     const float theta1_x_1 = 0.00041666668F /* 1/2400 */ * omega_last_x;
-    const float theta1_y_negated_1 = 0.00041666668F /* 1/2400 */ * omega_last_y_negated;
+    const float theta1_y_1 = 0.00041666668F /* 1/2400 */ * omega_last_y;
     const float theta1_z_1 = 0.00041666668F /* 1/2400 */ * omega_last_z;
     const float theta1_x_2 = 0.00087962963F /* 19/21600 */ * omega1_x;
-    const float theta1_y_negated_2 = 0.00087962963F /* 19/21600 */ * omega1_y_negated;
+    const float theta1_y_2 = 0.00087962963F /* 19/21600 */ * omega1_y;
     const float theta1_z_2 = 0.00087962963F /* 19/21600 */ * omega1_z;
     const float theta1_x_3 = theta1_x_1 + theta1_x_2;
-    const float theta1_y_negated_3 = theta1_y_negated_1 + theta1_y_negated_2;
+    const float theta1_y_3 = theta1_y_1 + theta1_y_2;
     const float theta1_z_3 = theta1_z_1 + theta1_z_2;
     const float theta1_x_4 = -0.00023148148F /* -1/4320 */ * omega2_x;
-    const float theta1_y_negated_4 = -0.00023148148F /* -1/4320 */ * omega2_y_negated;
+    const float theta1_y_4 = -0.00023148148F /* -1/4320 */ * omega2_y;
     const float theta1_z_4 = -0.00023148148F /* -1/4320 */ * omega2_z;
     const float theta1_x_5 = theta1_x_3 + theta1_x_4;
-    const float theta1_y_negated_5 = theta1_y_negated_3 + theta1_y_negated_4;
+    const float theta1_y_5 = theta1_y_3 + theta1_y_4;
     const float theta1_z_5 = theta1_z_3 + theta1_z_4;
     const float theta1_x_6 = 4.6296296e-05F /* 1/21600 */ * omega3_x;
-    const float theta1_y_negated_6 = 4.6296296e-05F /* 1/21600 */ * omega3_y_negated;
+    const float theta1_y_6 = 4.6296296e-05F /* 1/21600 */ * omega3_y;
     const float theta1_z_6 = 4.6296296e-05F /* 1/21600 */ * omega3_z;
     const float theta1_x = theta1_x_5 + theta1_x_6;
-    const float theta1_y_negated = theta1_y_negated_5 + theta1_y_negated_6;
+    const float theta1_y = theta1_y_5 + theta1_y_6;
     const float theta1_z = theta1_z_5 + theta1_z_6;
 
     /* theta2 = T (- 1/72 w0 + 13/72 w1 + 13/72 w2 - 1/72 w3)   [polynomial through all samples] */
     const float theta2_x_1 = -4.6296296e-05F /* -1/21600 */ * omega_last_x;
-    const float theta2_y_negated_1 = -4.6296296e-05F /* -1/21600 */ * omega_last_y_negated;
+    const float theta2_y_1 = -4.6296296e-05F /* -1/21600 */ * omega_last_y;
     const float theta2_z_1 = -4.6296296e-05F /* -1/21600 */ * omega_last_z;
     const float theta2_x_2 = 0.00060185185F /* 13/21600 */ * omega1_x;
-    const float theta2_y_negated_2 = 0.00060185185F /* 13/21600 */ * omega1_y_negated;
+    const float theta2_y_2 = 0.00060185185F /* 13/21600 */ * omega1_y;
     const float theta2_z_2 = 0.00060185185F /* 13/21600 */ * omega1_z;
     const float theta2_x_3 = theta2_x_1 + theta2_x_2;
-    const float theta2_y_negated_3 = theta2_y_negated_1 + theta2_y_negated_2;
+    const float theta2_y_3 = theta2_y_1 + theta2_y_2;
     const float theta2_z_3 = theta2_z_1 + theta2_z_2;
     const float theta2_x_4 = 0.00060185185F /* 13/21600 */ * omega2_x;
-    const float theta2_y_negated_4 = 0.00060185185F /* 13/21600 */ * omega2_y_negated;
+    const float theta2_y_4 = 0.00060185185F /* 13/21600 */ * omega2_y;
     const float theta2_z_4 = 0.00060185185F /* 13/21600 */ * omega2_z;
     const float theta2_x_5 = theta2_x_3 + theta2_x_4;
-    const float theta2_y_negated_5 = theta2_y_negated_3 + theta2_y_negated_4;
+    const float theta2_y_5 = theta2_y_3 + theta2_y_4;
     const float theta2_z_5 = theta2_z_3 + theta2_z_4;
     const float theta2_x_6 = -4.6296296e-05F /* -1/21600 */ * omega3_x;
-    const float theta2_y_negated_6 = -4.6296296e-05F /* -1/21600 */ * omega3_y_negated;
+    const float theta2_y_6 = -4.6296296e-05F /* -1/21600 */ * omega3_y;
     const float theta2_z_6 = -4.6296296e-05F /* -1/21600 */ * omega3_z;
     const float theta2_x = theta2_x_5 + theta2_x_6;
-    const float theta2_y_negated = theta2_y_negated_5 + theta2_y_negated_6;
+    const float theta2_y = theta2_y_5 + theta2_y_6;
     const float theta2_z = theta2_z_5 + theta2_z_6;
 
     /* theta3 = T (1/72 w0 - 5/72 w1 + 19/72 w2 + 1/8 w3)   [polynomial through all samples] */
     const float theta3_x_1 = 4.6296296e-05F /* 1/21600 */ * omega_last_x;
-    const float theta3_y_negated_1 = 4.6296296e-05F /* 1/21600 */ * omega_last_y_negated;
+    const float theta3_y_1 = 4.6296296e-05F /* 1/21600 */ * omega_last_y;
     const float theta3_z_1 = 4.6296296e-05F /* 1/21600 */ * omega_last_z;
     const float theta3_x_2 = -0.00023148148F /* -1/4320 */ * omega1_x;
-    const float theta3_y_negated_2 = -0.00023148148F /* -1/4320 */ * omega1_y_negated;
+    const float theta3_y_2 = -0.00023148148F /* -1/4320 */ * omega1_y;
     const float theta3_z_2 = -0.00023148148F /* -1/4320 */ * omega1_z;
     const float theta3_x_3 = theta3_x_1 + theta3_x_2;
-    const float theta3_y_negated_3 = theta3_y_negated_1 + theta3_y_negated_2;
+    const float theta3_y_3 = theta3_y_1 + theta3_y_2;
     const float theta3_z_3 = theta3_z_1 + theta3_z_2;
     const float theta3_x_4 = 0.00087962963F /* 19/21600 */ * omega2_x;
-    const float theta3_y_negated_4 = 0.00087962963F /* 19/21600 */ * omega2_y_negated;
+    const float theta3_y_4 = 0.00087962963F /* 19/21600 */ * omega2_y;
     const float theta3_z_4 = 0.00087962963F /* 19/21600 */ * omega2_z;
     const float theta3_x_5 = theta3_x_3 + theta3_x_4;
-    const float theta3_y_negated_5 = theta3_y_negated_3 + theta3_y_negated_4;
+    const float theta3_y_5 = theta3_y_3 + theta3_y_4;
     const float theta3_z_5 = theta3_z_3 + theta3_z_4;
     const float theta3_x_6 = 0.00041666668F /* 1/2400 */ * omega3_x;
-    const float theta3_y_negated_6 = 0.00041666668F /* 1/2400 */ * omega3_y_negated;
+    const float theta3_y_6 = 0.00041666668F /* 1/2400 */ * omega3_y;
     const float theta3_z_6 = 0.00041666668F /* 1/2400 */ * omega3_z;
     const float theta3_x = theta3_x_5 + theta3_x_6;
-    const float theta3_y_negated = theta3_y_negated_5 + theta3_y_negated_6;
+    const float theta3_y = theta3_y_5 + theta3_y_6;
     const float theta3_z = theta3_z_5 + theta3_z_6;
 
     /* p = theta_1 + theta_3 */
-    const float p_x = theta1_x + theta3_x;
-    const float p_y_negated = theta1_y_negated + theta3_y_negated;
+    const float p_x = theta1_y + theta3_y;
+    const float p_y_negated = theta1_x + theta3_x;
     const float p_z = theta1_z + theta3_z;
 
     /* d = theta_3 - theta_1 */
-    const float d_x = theta3_x - theta1_x;
-    const float d_y = theta1_y_negated - theta3_y_negated;
+    const float d_x = theta3_y - theta1_y;
+    const float d_y = theta1_x - theta3_x;
     const float d_z = theta3_z - theta1_z;
 
     /* S = p + theta_2 */
-    const float S_x = p_x + theta2_x;
-    const float S_y_negated = p_y_negated + theta2_y_negated;
+    const float S_x = p_x + theta2_y;
+    const float S_y_negated = p_y_negated + theta2_x;
     const float S_z = p_z + theta2_z;
 
     /* g = S + 2 theta_2   [cao (12)] */
-    const float g_x_1 = S_x + theta2_x;
-    const float g_y_negated_1 = S_y_negated + theta2_y_negated;
+    const float g_x_1 = S_x + theta2_y;
+    const float g_y_negated_1 = S_y_negated + theta2_x;
     const float g_z_1 = S_z + theta2_z;
-    const float g_x = g_x_1 + theta2_x;
-    const float g_y_negated = g_y_negated_1 + theta2_y_negated;
+    const float g_x = g_x_1 + theta2_y;
+    const float g_y_negated = g_y_negated_1 + theta2_x;
     const float g_z = g_z_1 + theta2_z;
 
     /* k = 9/40 d   [cao (12)] */
@@ -322,18 +322,20 @@ void rotation_vector_3_coning_rate_float32_update(
     state->q[1] = q_next_x;
     state->q[2] = q_next_y;
     state->q[3] = q_next_z;
-    state->omega_last[0] = omega3_y_negated;
-    state->omega_last[1] = omega3_x;
+    state->omega_last[0] = omega3_x;
+    state->omega_last[1] = omega3_y;
     state->omega_last[2] = omega3_z;
 }
 
 void rotation_vector_3_coning_rate_float32_quaternion(
     const rotation_vector_3_coning_rate_float32_state *state, float q_nb[4])
 {
+    /* q, read once */
     const float q_w = state->q[0];
     const float q_x = state->q[1];
     const float q_y = state->q[2];
     const float q_z = state->q[3];
+
     q_nb[0] = q_w;
     q_nb[1] = q_x;
     q_nb[2] = q_y;

@@ -20,13 +20,13 @@
  *              2e-11 (scalar), 6.4e-12 (vector), proved over the rationals
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig
- * update as-written       76       0   61        13       4       0     0     0
- * update shared           75       1   61        13       0       0     0     0
- * update emitted          75       1   61        13       0       0     0     0
- * dcm as-written           9       0    9         6       0       0     0     0
- * dcm shared               9       0    9         6       0       0     0     0
- * dcm emitted              9       0    9         6       0       0     0     0
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * update as-written       76       0   61        13       3       0     0     0     0       0
+ * update shared           75       1   61        13       0       0     0     0     0       0
+ * update emitted          75       1   61        13       0       0     0     0     0       0
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0
+ * dcm shared               9       0    9         6       0       0     0     0     0       0
+ * dcm emitted              9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
@@ -107,7 +107,8 @@ void rotation_vector_3_coning_rate_float32_start(
  *   beyond it, the state can diverge to NaN for good, so clamp inputs that can be so large;
  *   setting the attitude anew brings it back.
  * Truncation: minimax polynomials of degree 2 (cos) and 2 (sin) in |phi|^2; error of r at most
- *   2e-11 (scalar), 6.4e-12 (vector), proved over the rationals. Rounding: not bounded.
+ *   2e-11 (scalar), 6.4e-12 (vector), proved over the rationals.
+ * Rounding: not bounded.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
 void rotation_vector_3_coning_rate_float32_update(
@@ -116,8 +117,7 @@ void rotation_vector_3_coning_rate_float32_update(
 /*
  * Give the attitude quaternion. Type of values: float.
  *
- * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within rounding and the truncation error of
- *   r, which the next update takes away.
+ * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 to within a few units of the last place.
  */
 void rotation_vector_3_coning_rate_float32_quaternion(
     const rotation_vector_3_coning_rate_float32_state *state, float q_nb[4]);

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from qcone.ir.real import F, Matrix, Quaternion, matrix, named, step
+from qcone.ir.real import F, Matrix, Quaternion, cross, dot, matrix, named, step
 
 
 def dcm_squares(q: Quaternion) -> Matrix:
@@ -45,6 +45,18 @@ def dcm(q: Quaternion) -> Matrix:
         1 - (xx + yy),
     ]
     return step("c_nb = C_nb(q)", "cao (15)", matrix(rows))
+
+
+def orthonormalised(c: Matrix) -> Matrix:
+    """Write the rows a and b at unit length and right angles, to second order, and their cross product."""
+    a, b = c.row(0), c.row(1)
+    e_a = step("e_a = (1 - |a|^2)/2", "", F(1, 2) * (1 - dot(a, a)))
+    e_b = step("e_b = (1 - |b|^2)/2", "", F(1, 2) * (1 - dot(b, b)))
+    e_ab = step("e_ab = a . b", "", dot(a, b))
+    top = step("a_next = a + e_a a", "", a + e_a * a)
+    middle = step("b_next = b + e_b b - e_ab a", "", b + e_b * b - e_ab * a)
+    bottom = step("c_next = a_next x b_next", "", cross(top, middle))
+    return matrix([*top, *middle, *bottom])
 
 
 def normalised(q: Quaternion) -> Quaternion:

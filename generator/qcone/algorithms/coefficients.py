@@ -62,6 +62,21 @@ def coning_totals(subsamples: int) -> tuple[F, ...]:
     return _null([_series_of_drift(d) for d in range(1, n)], _missing(n), n - 1)
 
 
+def coning_residual(subsamples: int, coefficients: str) -> tuple[int, F]:
+    """Return p and c: the drift one update leaves in pure coning is c a^2 x^p to leading order.
+
+    `a` is the half-cone angle, x the phase of the motion in one sub-sample.
+    """
+    totals = [F(0)] * subsamples
+    for (i, j), weight in (pair_weights(subsamples, coefficients) if subsamples > 1 else {}).items():
+        totals[j - i] += weight
+    left = list(_missing(subsamples))
+    for d in range(1, subsamples):
+        left = [value - totals[d] * term for value, term in zip(left, _series_of_drift(d), strict=True)]
+    power, value = next((3 + 2 * k, value) for k, value in enumerate(left) if value)
+    return power, value
+
+
 @cache
 def history_weights(previous: int) -> tuple[F, ...]:
     """Return c_1 .. c_P of phi = theta + (sum c_p theta_(-p)) x theta, nulling the coning drift up to x^(2P+1)."""

@@ -34,3 +34,5 @@ class Family:
     conflicts: Callable[[Values, frozenset[str]], Sequence[Conflict]]
     examples: tuple[Values, ...] = field(default_factory=tuple)
     """One choice of parameters for every algorithm of the family: what tests and `list` go through."""
+    caution: Callable[[Values], str | None] = lambda _: None
+    """What speaks against a choice that is no mistake."""

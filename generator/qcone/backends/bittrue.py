@@ -21,6 +21,7 @@ from qcone.ir.statement import (
     Loop,
     Operation,
     Program,
+    Ready,
     Role,
     Routine,
     Statement,
@@ -39,6 +40,8 @@ ARITHMETIC: Mapping[object, Callable[..., Array]] = {
     MachineOp.MULTIPLY: np.multiply,
     MachineOp.DIVIDE: np.divide,
     MachineOp.NEGATE: np.negative,
+    MachineOp.LESS: np.less,
+    MachineOp.SELECT: np.where,
 }
 
 
@@ -156,7 +159,7 @@ def _body(
                 _call(statement, routine, values, dtype, lanes)
             case Advance(place):
                 memory[place.block][place.index.at(counters)] += COUNTER(1)
-            case Choose():
+            case Choose() | Ready():
                 raise AssertionError("a choice stands alone in its routine")
 
 

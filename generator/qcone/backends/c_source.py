@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from qcone.backends.c_state import field
 from qcone.formats.floating import Floating
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import (
@@ -18,9 +19,9 @@ from qcone.ir.statement import (
     Operation,
     Place,
     Program,
+    Ready,
     Role,
     Routine,
-    Shape,
     Statement,
     Write,
     walk,
@@ -34,7 +35,8 @@ SIGNS = {
 }
 INDENT = "    "
 LINE = 105
-INTERNAL = frozenset({"start_up", "steady"})
+MOST_DENOMINATOR = 10**30
+INTERNAL = frozenset({"hold", "start_up", "steady"})
 """Routines that only `update` calls: static."""
 
 
@@ -83,7 +85,8 @@ def _function(routine: Routine, program: Program, number: Floating) -> Function:
         arguments.append(f"{const}{number.ctype} {block.name}[{block.size}]")
     name = f"{program.name}_{routine.name}"
     internal = routine.name in INTERNAL
-    signature = _signature(f"{'static ' if internal else ''}void {name}", arguments)
+    gives = "int" if any(isinstance(each, Ready) for each in routine.body) else "void"
+    signature = _signature(f"{'static ' if internal else ''}{gives} {name}", arguments)
     return Function(routine.name, signature, tuple(_Printer(routine, program, number).lines()), internal)
 
 
@@ -142,9 +145,13 @@ def writes_state(routine: Routine) -> bool:
 
 
 def literal(constant: Fraction, exact: Fraction | None, number: Floating) -> str:
-    """Return a literal, with the rational it was rounded from beside it unless it is a multiple of 1/8."""
+    """Return a literal, with the rational it was rounded from beside it.
+
+    Not beside a multiple of 1/8, nor where the rational is that of an irrational number such as pi.
+    """
     text = number.literal(constant)
-    return text if exact is None or 8 % exact.denominator == 0 else f"{text} /* {exact} */"
+    plain = exact is None or 8 % exact.denominator == 0 or exact.denominator > MOST_DENOMINATOR
+    return text if plain else f"{text} /* {exact} */"
 
 
 class _Printer:
@@ -162,8 +169,10 @@ class _Printer:
     def lines(self) -> Iterator[str]:
         """Yield the body, indented."""
         for block in self.routine.having(Role.TABLE):
-            entries = ", ".join(literal(entry, None, self.number) for entry in block.entries)
-            yield f"{INDENT}static const {self.number.ctype} {block.name}[{block.size}] = {{ {entries} }};"
+            entries = [literal(entry, None, self.number) for entry in block.entries]
+            yield f"{INDENT}static const {self.number.ctype} {block.name}[{block.size}] = {{"
+            yield from (f"{INDENT * 2}{line}" for line in textwrap.wrap(", ".join(entries), LINE))
+            yield f"{INDENT}}};"
         for block in self.routine.having(Role.LOCAL):
             yield f"{INDENT}{self.number.ctype} {block.name}[{block.size}];"
         for name in unused(self.routine, self.scalar):
@@ -183,6 +192,8 @@ class _Printer:
                         self.shown = None  # the heading inside stands right under the brace
                     yield from self._body(inner, depth + 1)
                     yield f"{indent}}}"
+                case Ready(place, limit):
+                    yield f"{indent}return ({self._place(place)} >= {limit}) ? 1 : 0;"
                 case Choose(place, cases, otherwise):
                     yield from self._choose(place, cases, otherwise, indent)
                 case _:
@@ -210,6 +221,11 @@ class _Printer:
                 name = self.routine.names[result]
                 if op in SIGNS:
                     yield f"const {ctype} {name} = {self._use(args[0])} {SIGNS[op]} {self._use(args[1])};"
+                elif op is MachineOp.LESS:
+                    yield f"const int32_t {name} = {self._use(args[0])} < {self._use(args[1])};"
+                elif op is MachineOp.SELECT:
+                    chosen = f"{self._use(args[1])} : {self._use(args[2])}"
+                    yield f"const {ctype} {name} = ({self._use(args[0])} != 0) ? {chosen};"
                 elif op is MachineOp.NEGATE:
                     yield f"const {ctype} {name} = -{self._use(args[0])};"
                 elif op is MachineOp.READ and place is not None:
@@ -259,40 +275,3 @@ class _Printer:
             before = sum(each.size for each in outputs[: outputs.index(block)])
             return f"result[{place.index + before}]"
         return f"{place.block}[{place.index}]"
-
-
-def field(block: Block, place: Place) -> str:
-    """Return a component of a state block as a member: an array element, or the member itself for one scalar."""
-    if block.shape is Shape.SCALAR and block.count == 1:
-        return block.name
-    return f"{block.name}[{place.index}]"
-
-
-def state_fields(program: Program, number: Floating) -> list[tuple[str, str]]:
-    """Return the members of the state structure as (declaration, meaning)."""
-    fields = []
-    for block in program.state:
-        ctype = "int32_t" if block.integer else number.ctype
-        array = "" if block.shape is Shape.SCALAR and block.count == 1 else f"[{block.size}]"
-        fields.append((f"{ctype} {block.name}{array};", block.unit))
-    return fields
-
-
-def state_initialiser(program: Program, number: Floating) -> str:
-    """Return the initialiser of a static state: what `init` writes."""
-    init = program.routine("init")
-    literals = {each.result: each.constant for each in init.body if isinstance(each, Operation)}
-    parts = []
-    for block in program.state:
-        values = {
-            each.place.index.constant: literals[each.value]
-            for each in init.body
-            if isinstance(each, Write) and each.place.block == block.name
-        }
-        texts = []
-        for k in range(block.size):
-            value = values[k] or Fraction(0)
-            texts.append(str(int(value)) if block.integer else number.literal(value))
-        scalar = block.shape is Shape.SCALAR and block.count == 1
-        parts.append(texts[0] if scalar else f"{{ {', '.join(texts)} }}")
-    return f"{{ {', '.join(parts)} }}"

@@ -24,6 +24,12 @@ KINDS: Mapping[Enum, str] = {
     RealOp.COSINE: "trigonometric",
     RealOp.CONSTANT: "",
     RealOp.READ: "",
+    RealOp.ARCTANGENT_2: "trigonometric",
+    RealOp.ARCSINE: "trigonometric",
+    RealOp.LESS: "compare",
+    RealOp.SELECT: "select",
+    MachineOp.LESS: "compare",
+    MachineOp.SELECT: "select",
     MachineOp.ADD: "add",
     MachineOp.SUBTRACT: "subtract",
     MachineOp.MULTIPLY: "multiply",
@@ -46,6 +52,8 @@ class Counts:
     negate: int = 0
     square_root: int = 0
     trigonometric: int = 0
+    compare: int = 0
+    select: int = 0
 
     def __add__(self, other: Counts) -> Counts:
         """Add kind by kind."""

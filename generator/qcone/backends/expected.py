@@ -7,14 +7,12 @@ from fractions import Fraction
 
 from qcone.backends.c_source import (
     components,
-    field,
     functions,
     parameters,
     result_array,
-    state_fields,
-    state_initialiser,
     unused,
 )
+from qcone.backends.c_state import field, state_fields, state_initialiser
 from qcone.backends.parse_back import Line, UnreadableError, affine, read_functions, read_macros, read_structure
 from qcone.formats.floating import Floating
 from qcone.ir.index import Index
@@ -27,6 +25,7 @@ from qcone.ir.statement import (
     Operation,
     Place,
     Program,
+    Ready,
     Role,
     Routine,
     Statement,
@@ -131,11 +130,15 @@ class _Reader:
                     if op is MachineOp.LITERAL:
                         continue
                     operands = tuple(map(self._use, args)) if place is None else (self._place(place),)
-                    yield Line(op.value, names[result], operands, ctype)
+                    yield Line(
+                        op.value, names[result], operands, f"const {statement.format.ctype if statement.format else ''}"
+                    )
                 case Write(place, value):
                     integer = self.routine.block(place.block).integer
                     stored = self.constants.get(value) if integer else None
                     yield Line("write", self._place(place), (self._use(value) if stored is None else str(stored),))
+                case Ready(place, limit):
+                    yield Line("ready", self._place(place), (str(limit),))
                 case Advance(place):
                     yield Line("advance", self._place(place))
                 case Loop(counter, first, last, inner):

@@ -59,7 +59,9 @@ class Driver:
     ctype: str
     input_size: int
     has_start: bool
-    has_dcm: bool
+    setter: str
+    attitude_size: int
+    outputs: tuple[tuple[str, int], ...]
     state_words: tuple[str, ...]
     word_count: int
     probe: str

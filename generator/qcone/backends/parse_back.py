@@ -17,7 +17,7 @@ from pycparser.c_parser import ParseError
 
 from qcone.formats.floating import FLOATING
 
-OPERATORS = {"+": "add", "-": "subtract", "*": "multiply", "/": "divide"}
+OPERATORS = {"+": "add", "-": "subtract", "*": "multiply", "/": "divide", "<": "less"}
 TYPES = "typedef int int32_t;\n"
 NUMBERS = {each.ctype: each for each in FLOATING.values()}
 
@@ -146,6 +146,8 @@ def _lines(items: Sequence[Any]) -> Iterator[Line]:
                 yield Line("unused", _operand(node.expr))
             case c_ast.For():
                 yield _loop(node)
+            case c_ast.Return():
+                yield _ready(node)
             case c_ast.If():
                 yield _choice(node)
             case _:
@@ -164,9 +166,29 @@ def _declaration(node: Any) -> Line:
         if value.op not in OPERATORS:
             raise UnreadableError(f"an operator that is not emitted: {value.op}")
         return Line(OPERATORS[value.op], node.name, (_operand(value.left), _operand(value.right)), ctype)
+    if isinstance(value, c_ast.TernaryOp):
+        return Line(
+            "select", node.name, (_condition(value.cond), _operand(value.iftrue), _operand(value.iffalse)), ctype
+        )
     if isinstance(value, c_ast.UnaryOp) and value.op == "-" and not isinstance(value.expr, c_ast.Constant):
         return Line("negate", node.name, (_operand(value.expr),), ctype)
     return Line("read", node.name, (_operand(value),), ctype)
+
+
+def _ready(node: Any) -> Line:
+    """Read `return (counter >= limit) ? 1 : 0;`."""
+    value = node.expr
+    whole = isinstance(value, c_ast.TernaryOp) and isinstance(value.cond, c_ast.BinaryOp) and value.cond.op == ">="
+    if whole and (_operand(value.iftrue), _operand(value.iffalse)) == ("1", "0"):
+        return Line("ready", _operand(value.cond.left), (_operand(value.cond.right),))
+    raise UnreadableError("a return that is not emitted")
+
+
+def _condition(node: Any) -> str:
+    """Read `name != 0`."""
+    if isinstance(node, c_ast.BinaryOp) and node.op == "!=" and _operand(node.right) == "0":
+        return _operand(node.left)
+    raise UnreadableError("a condition that is not emitted")
 
 
 def _written(node: Any) -> Line:

@@ -10,7 +10,16 @@ from fractions import Fraction
 from qcone.backends.counts import Counts, is_power_of_two
 from qcone.backends.parse_back import Line, read_functions
 
-COUNTED = frozenset({"add", "subtract", "multiply", "divide", "negate"})
+COUNTED = {
+    "add": "add",
+    "subtract": "subtract",
+    "multiply": "multiply",
+    "divide": "divide",
+    "negate": "negate",
+    "less": "compare",
+    "select": "select",
+}
+"""What a kind of statement is counted as."""
 
 
 def count_text(header: str, source: str) -> dict[str, Counts]:
@@ -32,14 +41,14 @@ def _lines(lines: Sequence[Line], bodies: Mapping[str, Sequence[Line]], counters
                 found += _lines(line.body, bodies, {**counters, line.target: turn})
         elif line.kind == "choose":
             branches = [_lines([each], bodies, counters) for each in line.body]
-            found += Counter({kind: max(each[kind] for each in branches) for kind in COUNTED})
+            found += Counter({kind: max(each[kind] for each in branches) for kind in COUNTED.values()})
         elif line.kind == "call":
             called = Counts(**_lines(bodies[line.target], bodies, {}))
             found += Counter({each.name: getattr(called, each.name) for each in fields(called)})
         elif line.kind == "multiply" and any(map(_is_literal_power, line.operands)):
             found["power_of_two"] += 1
         elif line.kind in COUNTED:
-            found[line.kind] += 1
+            found[COUNTED[line.kind]] += 1
     return found
 
 

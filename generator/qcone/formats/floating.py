@@ -71,6 +71,17 @@ class Floating:
             return False
 
 
+@dataclass(frozen=True)
+class Truth:
+    """A truth value: 1 or 0."""
+
+    name: str = "truth"
+    ctype: str = "int32_t"
+
+
+TRUTH = Truth()
+
+
 def _exponent(value: Fraction) -> int:
     """Return floor(log2(value)) of a positive fraction."""
     guess = value.numerator.bit_length() - value.denominator.bit_length()

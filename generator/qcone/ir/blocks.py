@@ -16,7 +16,7 @@ from qcone.errors import UsageError
 from qcone.ir import products
 from qcone.ir.builder import Builder
 from qcone.ir.operations import RealOp
-from qcone.ir.statement import Shape, Step
+from qcone.ir.statement import Shape
 
 Number = int | Fraction
 
@@ -149,6 +149,10 @@ class Scalar(Quantity):
         """Divide by a scalar or an exact number."""
         return self._divided(other)
 
+    def __rtruediv__(self, other: Number) -> Scalar:
+        """Divide an exact number."""
+        return self._lift(other) / self
+
 
 class Vector(Quantity):
     """Three components along the body axes x, y, z."""
@@ -220,11 +224,26 @@ class Matrix(Quantity):
 
     shape = Shape.MATRIX
 
+    def __iter__(self) -> Iterator[Scalar]:
+        """Yield the components, row by row."""
+        return _components(self)
+
+    def row(self, index: int) -> Vector:
+        """Return one of the three rows."""
+        values = self.values[3 * index : 3 * index + 3]
+        return Vector(self.builder, values, self.builder.group("part", values, (self.group,)))
+
 
 def number(value: Number, like: Quantity) -> Scalar:
     """Return an exact constant as a scalar, written beside `like`."""
     written = like.builder.constant(exact(value))
     return Scalar(like.builder, (written,), like.builder.group("input", (written,), norm=abs(Fraction(value))))
+
+
+def vector(x: Scalar, y: Scalar, z: Scalar) -> Vector:
+    """Return the vector of three scalars; nothing is calculated."""
+    values = (x.value, y.value, z.value)
+    return Vector(x.builder, values, x.builder.group("other", values, (x.group, y.group, z.group)))
 
 
 def matrix(entries: Sequence[Scalar]) -> Matrix:
@@ -269,24 +288,3 @@ def sqrt(a: Scalar) -> Scalar:
     """Return the square root. Only the as-written form may hold one; a factored update does without."""
     value = a.builder.emit(RealOp.SQUARE_ROOT, a.value)
     return Scalar(a.builder, (value,), a.builder.group("root", (value,), (a.group,)))
-
-
-def named(name: str, quantity: Q) -> Q:
-    """Name a quantity without a heading of its own; the step that follows covers it."""
-    quantity.builder.name_values(name, quantity.shape, quantity.values)
-    return quantity
-
-
-def step(text: str, equation: str, quantity: Q) -> Q:
-    """Name a quantity and head the operations that made it.
-
-    `text` is the equation as a line of text, `phi = S + u x k`; what stands before the equals sign becomes
-    the name of the quantity in C. `equation` is where the source prints it, "cao (12)". Everything written
-    since the last step belongs to this one.
-    """
-    name = text.partition("=")[0].strip()
-    if not name.isidentifier():
-        raise UsageError(f"step {text!r}: the text must begin with a name and an equals sign, as in 'phi = ...'")
-    quantity.builder.label(Step(text, equation))
-    quantity.builder.name_values(name, quantity.shape, quantity.values)
-    return quantity

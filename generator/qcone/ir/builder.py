@@ -149,6 +149,11 @@ class Builder:
         self.blocks.append(block)
         return block
 
+    def is_state(self, values: Sequence[int]) -> bool:
+        """Tell whether these values are the attitude as it was read."""
+        first = self.blocks[0]
+        return all(self._reads.get(Place(first.name, Index(k))) == value for k, value in enumerate(values))
+
     # -- steps and names ------------------------------------------------------------------------------
 
     def label(self, step: Step) -> None:

@@ -18,6 +18,7 @@ from qcone.ir.statement import (
     Operation,
     Place,
     Program,
+    Ready,
     Role,
     Routine,
     Statement,
@@ -90,7 +91,7 @@ class _Checker:
                     self._loop(statement, turns, known)
                 case Call():
                     self._call(statement, known)
-                case Advance():
+                case Advance() | Ready():
                     self._place(statement, statement.place, turns)
                 case Choose():
                     if body is not self.routine.body or len(body) != 1:

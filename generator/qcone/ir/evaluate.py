@@ -13,7 +13,7 @@ from typing import Any
 
 from qcone.errors import UsageError
 from qcone.ir.operations import RealOp
-from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Role, Routine, Statement, Write
+from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Ready, Role, Routine, Statement, Write
 
 
 @dataclass(frozen=True)
@@ -24,6 +24,8 @@ class Numbers:
     square_root: Callable[[Any], Any] | None = None
     sine: Callable[[Any], Any] | None = None
     cosine: Callable[[Any], Any] | None = None
+    arcsine: Callable[[Any], Any] | None = None
+    arctangent_2: Callable[[Any, Any], Any] | None = None
 
 
 EXACT = Numbers()
@@ -117,7 +119,7 @@ def _run(
             case Advance():
                 index = statement.place.index.at(counters)
                 writes.append((statement.place.block, index, memory[statement.place.block][index] + 1))
-            case Choose():
+            case Choose() | Ready():
                 raise ArithmeticError(f"{routine.name} only hands its call on; evaluate the routine it chooses")
 
 
@@ -160,12 +162,19 @@ def _value(
             return args[0] / args[1]
         case RealOp.NEGATE:
             return -args[0]
+        case RealOp.LESS:
+            return args[0] < args[1]
+        case RealOp.SELECT:
+            return args[1] if args[0] else args[2]
+        case RealOp.ARCTANGENT_2 if numbers.arctangent_2 is not None:
+            return numbers.arctangent_2(*args)
     functions: dict[object, Callable[[Any], Any] | None] = {
         RealOp.SQUARE_ROOT: numbers.square_root,
         RealOp.SINE: numbers.sine,
         RealOp.COSINE: numbers.cosine,
+        RealOp.ARCSINE: numbers.arcsine,
     }
-    function = functions[operation.op]
+    function = functions.get(operation.op)
     if function is None:
         raise ArithmeticError(f"{operation.op.value} has no meaning in exact arithmetic")
     return function(args[0])

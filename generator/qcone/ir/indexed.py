@@ -99,6 +99,8 @@ def loop(counter: str, like: Quantity, first: Index | int, last: Index | int) ->
     if builder.writing.rolled:
         lower = first if isinstance(first, Index) else Index(first)
         upper = last if isinstance(last, Index) else Index(last)
+        if not lower.terms and not upper.terms and lower.constant > upper.constant:
+            return
         yield from builder.loop(counter, lower, upper)
         return
     if isinstance(first, Index) or isinstance(last, Index):

@@ -21,6 +21,10 @@ class MachineOp(Enum):
     MULTIPLY = "multiply"
     DIVIDE = "divide"
     NEGATE = "negate"
+    LESS = "less"
+    """a < b, 1 or 0 in an int32_t."""
+    SELECT = "select"
+    """The second operand where the first is not 0, else the third."""
 
 
 ARITY = {
@@ -31,4 +35,6 @@ ARITY = {
     MachineOp.MULTIPLY: 2,
     MachineOp.DIVIDE: 2,
     MachineOp.NEGATE: 1,
+    MachineOp.LESS: 2,
+    MachineOp.SELECT: 3,
 }

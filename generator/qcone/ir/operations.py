@@ -18,6 +18,13 @@ class RealOp(Enum):
     SQUARE_ROOT = "square_root"
     SINE = "sine"
     COSINE = "cosine"
+    ARCTANGENT_2 = "arctangent_2"
+    """atan2(y, x)."""
+    ARCSINE = "arcsine"
+    LESS = "less"
+    """a < b: a truth value, which only `select` takes."""
+    SELECT = "select"
+    """One of two numbers by a truth value: select(condition, if true, if false)."""
     ACCUMULATE = "accumulate"
     """state + increment. In exact arithmetic an addition; the number format says how the rounding is carried."""
 
@@ -33,5 +40,9 @@ ARITY = {
     RealOp.SQUARE_ROOT: 1,
     RealOp.SINE: 1,
     RealOp.COSINE: 1,
+    RealOp.ARCTANGENT_2: 2,
+    RealOp.ARCSINE: 1,
+    RealOp.LESS: 2,
+    RealOp.SELECT: 3,
     RealOp.ACCUMULATE: 2,
 }

@@ -7,19 +7,36 @@ from __future__ import annotations
 
 from fractions import Fraction as F  # noqa: N817  the papers' coefficients are written F(9, 20)
 
-from qcone.ir.blocks import Matrix, Quaternion, Scalar, Vector, cross, dot, matrix, named, number, sqrt, step
-from qcone.ir.indexed import history, loop, table
+from qcone.ir.blocks import Matrix, Quaternion, Scalar, Vector, cross, dot, matrix, number, sqrt, vector
+from qcone.ir.frame import rows
+from qcone.ir.functions import (
+    PI,
+    arcsine,
+    arctangent_2,
+    less,
+    reciprocal_root,
+    select,
+    sine_cosine,
+    square_root_of_unit,
+)
+from qcone.ir.index import Index
+from qcone.ir.indexed import History, history, loop, table
+from qcone.ir.labels import heading, named, step
 from qcone.ir.operations import RealOp
-from qcone.ir.specification import Algorithm, Source, algorithm
+from qcone.ir.specification import Algorithm, Phase, Source, algorithm
 from qcone.ir.statement import Block, Role, Routine, Shape
 from qcone.ir.subroutine import subroutine
-from qcone.ir.update import Rotation, Update, exp, quaternion, rotation
+from qcone.ir.update import Rotation, Update, exp, increment, quaternion, rotation
 
 __all__ = [
+    "PI",
     "Algorithm",
     "Block",
     "F",
+    "History",
+    "Index",
     "Matrix",
+    "Phase",
     "Quaternion",
     "RealOp",
     "Role",
@@ -31,18 +48,29 @@ __all__ = [
     "Update",
     "Vector",
     "algorithm",
+    "arcsine",
+    "arctangent_2",
     "cross",
     "dot",
     "exp",
+    "heading",
     "history",
+    "increment",
+    "less",
     "loop",
     "matrix",
     "named",
     "number",
     "quaternion",
+    "reciprocal_root",
     "rotation",
+    "rows",
+    "select",
+    "sine_cosine",
     "sqrt",
+    "square_root_of_unit",
     "step",
     "subroutine",
     "table",
+    "vector",
 ]

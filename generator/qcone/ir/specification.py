@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from qcone.errors import UsageError
+from qcone.ir.statement import Block
 
 Author = Callable[..., Any]
 Truncation = Callable[[Fraction], tuple[Fraction, Fraction]]
@@ -26,13 +27,30 @@ class Source:
         return f"{self.key} {self.equation}".strip()
 
 
+@dataclass(frozen=True)
+class Phase:
+    """What serves the updates after a restart while their number is below `limit`; `name` is its routine's."""
+
+    name: str
+    limit: int
+    write: Author
+    written: Author | None = None
+
+    def author(self, form: str) -> Author:
+        """Return the author's function for a form."""
+        return self.written if form == "as-written" and self.written is not None else self.write
+
+
 @dataclass(eq=False)
 class Algorithm:
     """One attitude update: what it needs, the author's function, and what is claimed of it.
 
-    `write` receives the blocks it names as arguments: `q` (attitude quaternion, body to navigation),
-    `dtheta` (a tuple of `subsamples` angle increments, rad) and, with `previous` > 0, `previous` (a tuple of
-    the increments before them, newest first). It returns the new attitude. `written` is the paper's own
+    `write` receives the blocks it names as arguments: the attitude, `q` (quaternion, body to navigation), `c`
+    (direction cosine matrix) or `rpy` (Euler angles) as `state` says; `dtheta` (a tuple of `subsamples` angle
+    increments, rad) or, where `takes` says so, `omega` (the rate at the start of the interval and the newer ones,
+    rad/s); with `previous` > 0, `previous` (a tuple of earlier increments, newest first); each block of `memory`
+    (a tuple); and `interval`, s, an exact fraction. It returns the new attitude or, with memory, the attitude and a
+    mapping of what is to be kept. `phases` serve the first updates after a restart. `written` is the paper's own
     form where that differs. `startup` serves the first updates after a restart, until the history is full.
     `order` is the global order of accuracy in general motion; `properties` are the symmetries that hold
     to the last bit: "cyclic", "flip", "time-reversal", "constant-rate"; `written_properties` are those of
@@ -52,6 +70,10 @@ class Algorithm:
     written_properties: frozenset[str] | None = None
     errata: tuple[str, ...] = ()
     summary: str = ""
+    state: str = "quaternion"
+    takes: str = "dtheta"
+    memory: tuple[Block, ...] = ()
+    phases: tuple[Phase, ...] = ()
     truncation: Truncation | None = None
 
     def factored(self, function: Author) -> Algorithm:
@@ -82,6 +104,10 @@ def algorithm(
     startup: Algorithm | None = None,
     errata: tuple[str, ...] = (),
     summary: str = "",
+    state: str = "quaternion",
+    takes: str = "dtheta",
+    memory: tuple[Block, ...] = (),
+    phases: tuple[Phase, ...] = (),
     truncation: Truncation | None = None,
 ) -> Callable[[Author], Algorithm]:
     """Make an `Algorithm` of the decorated function.
@@ -107,6 +133,10 @@ def algorithm(
             startup=startup,
             errata=errata,
             summary=summary,
+            state=state,
+            takes=takes,
+            memory=memory,
+            phases=phases,
             truncation=truncation,
         )
 

@@ -14,7 +14,7 @@ from enum import Enum
 from fractions import Fraction
 from types import MappingProxyType
 
-from qcone.formats.floating import Floating
+from qcone.formats.floating import Floating, Truth
 from qcone.ir.index import FIRST, Index
 
 
@@ -96,7 +96,7 @@ class Operation:
     constant: Fraction | None = None
     place: Place | None = None
     step: int = 0
-    format: Floating | None = None
+    format: Floating | Truth | None = None
     exact: Fraction | None = None
 
 
@@ -152,7 +152,16 @@ class Choose:
     step: int = 0
 
 
-Statement = Operation | Write | Loop | Call | Advance | Choose
+@dataclass(frozen=True)
+class Ready:
+    """Return 1 when an integer counter of the state has reached `limit`, else 0."""
+
+    place: Place
+    limit: int
+    step: int = 0
+
+
+Statement = Operation | Write | Loop | Call | Advance | Choose | Ready
 
 
 @dataclass(frozen=True)

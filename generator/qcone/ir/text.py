@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Program, Routine, Statement, Write
+from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Program, Ready, Routine, Statement, Write
 
 
 def dump(routine: Routine) -> str:
@@ -56,6 +56,8 @@ def _line(statement: Statement, routine: Routine) -> str:
             return f"for {counter} in {first} .. {last}"
         case Call(callee, args, results):
             return f"{', '.join(map(name, results))} = call {callee}({', '.join(map(name, args))})"
+        case Ready(place, limit):
+            return f"return {place} >= {limit}"
         case Advance(place):
             return f"{place} := {place} + 1"
         case Choose(place, cases, otherwise):

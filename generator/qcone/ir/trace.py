@@ -18,11 +18,13 @@ from types import CodeType, FrameType
 from typing import Any
 
 from qcone.errors import QconeError, UsageError
-from qcone.ir.blocks import Quantity, Quaternion, step
+from qcone.ir.blocks import Quantity, Quaternion
 from qcone.ir.builder import Builder
-from qcone.ir.specification import Algorithm
+from qcone.ir.frame import RowUpdate
+from qcone.ir.labels import step
+from qcone.ir.specification import Author
 from qcone.ir.statement import Step
-from qcone.ir.update import Rotation, Update
+from qcone.ir.update import Increment, Rotation, Update
 
 
 def heading(function: Callable[..., Any]) -> Callable[[], Step | None]:
@@ -39,51 +41,62 @@ def heading(function: Callable[..., Any]) -> Callable[[], Step | None]:
     return current
 
 
-def attitude(algorithm: Algorithm, form: str, builder: Builder, arguments: Mapping[str, Any]) -> Quaternion:
-    """Run the author's function for `form` on the blocks it names and return the new attitude, written out.
+def attitude(
+    name: str, function: Author, builder: Builder, arguments: Mapping[str, Any]
+) -> tuple[Quantity, Mapping[str, tuple[Quantity, ...]]]:
+    """Run an author's function on the blocks it names; return the new attitude, written out, and what is to be kept.
 
     Raises UsageError, with file and line, for a name that is not defined, an argument that is not a block, a
-    result that is not a quaternion, or any other mistake of the author's.
+    result that is not an attitude, or any other mistake of the author's.
     """
-    function = algorithm.author(form)
     wanted = list(inspect.signature(function).parameters)
-    unknown = [name for name in wanted if name not in arguments]
+    unknown = [each for each in wanted if each not in arguments]
     if unknown:
         known = ", ".join(arguments)
         raise UsageError(f"{_place(function)}: '{unknown[0]}' is not a block of this algorithm; there are: {known}")
     names: dict[str, Any] = {}
     try:
-        result = _run(function, {name: arguments[name] for name in wanted}, names)
+        result = _run(function, {each: arguments[each] for each in wanted}, names)
         builder.refuse_open_loop()
     except QconeError as error:
-        raise type(error)(f"{_place(function, error)}: algorithm '{algorithm.name}': {error}") from error
+        raise type(error)(f"{_place(function, error)}: algorithm '{name}': {error}") from error
     except (
         Exception,
         SystemExit,
     ) as error:  # the author's code may fail in any way; it is shown as the author's mistake
         what = f"{type(error).__name__}: {error}"
-        raise UsageError(f"{_place(function, error)}: algorithm '{algorithm.name}': {what}") from error
-    for name, value in names.items():
+        raise UsageError(f"{_place(function, error)}: algorithm '{name}': {what}") from error
+    for local, value in names.items():
         if isinstance(value, Quantity):
-            builder.name_values(name, value.shape, value.values)
-    return _finish(result, algorithm, function, builder)
+            builder.name_values(local, value.shape, value.values)
+    kept: Mapping[str, tuple[Quantity, ...]] = {}
+    if isinstance(result, tuple) and len(result) == 2 and isinstance(result[1], Mapping):
+        result, kept = result
+    return _finish(result, name, function, builder), kept
 
 
-def _finish(result: Any, algorithm: Algorithm, function: Callable[..., Any], builder: Builder) -> Quaternion:
-    if isinstance(result, Update):
+def _finish(result: Any, name: str, function: Author, builder: Builder) -> Quantity:
+    if isinstance(result, Update | Increment | RowUpdate):
         return result.finish()
+    if isinstance(result, Quaternion) and builder.is_state(result.values):
+        return result
     if isinstance(result, Quaternion):
         if not builder.writing.as_written and builder.writing.accumulate != "standard":
             raise UsageError(
-                f"{_place(function)}: algorithm '{algorithm.name}' returns q (x) r as a plain product, from which "
+                f"{_place(function)}: algorithm '{name}' returns q (x) r as a plain product, from which "
                 "no increment is held apart: return q * rotation(u, v) with r = [1 + u, v], or set "
                 'accumulate = "standard"'
             )
         builder.settle(but_last=True)
         return step("q_next = q (x) r", "", result)
+    held = builder.blocks[0]
+    if isinstance(result, Quantity) and held.shape is result.shape:
+        builder.label(Step(f"{held.name}_next = the new attitude"))
+        builder.name_values(f"{held.name}_next", result.shape, result.values)
+        return result
     given = type(result).__name__ if not isinstance(result, Rotation) else "a rotation"
     raise UsageError(
-        f"{_place(function)}: algorithm '{algorithm.name}' returns {given}, not the new attitude: "
+        f"{_place(function)}: algorithm '{name}' returns {given}, not the new attitude: "
         "return a quaternion, as in `return q * exp(phi)`"
     )
 

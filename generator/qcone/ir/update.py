@@ -18,7 +18,8 @@ from typing import Literal
 
 from qcone.errors import UsageError
 from qcone.ir import products
-from qcone.ir.blocks import Quaternion, Scalar, Vector, dot, number, sqrt, step, together
+from qcone.ir.blocks import Quaternion, Scalar, Vector, dot, number, sqrt, together
+from qcone.ir.labels import step
 from qcone.ir.operations import RealOp
 
 
@@ -41,16 +42,43 @@ class Update:
             r = step(f"r = [{'1' if small is None else '1 + ' + name}, v]", "", quaternion(scalar, v))
             return step("q_next = q (x) r", "cao (14)", _least_product(self.q, r))
         if small is None:
-            increment = step("dq = q (x) [0, v]", "cao (14)", self.q * v)
+            change = step("dq = q (x) [0, v]", "cao (14)", self.q * v)
         else:
-            increment = step(f"dq = q (x) [{name}, v]", "cao (14)", _least_product(self.q, quaternion(small, v)))
-        builder = self.q.builder
-        values = [
-            builder.emit(RealOp.ACCUMULATE, state, change)
-            for state, change in zip(self.q.values, increment.values, strict=True)
-        ]
-        group = builder.group("sum", values, (self.q.group, increment.group))
-        return step("q_next = q + dq", "", Quaternion(builder, tuple(values), group))
+            change = step(f"dq = q (x) [{name}, v]", "cao (14)", _least_product(self.q, quaternion(small, v)))
+        return accumulated(self.q, change)
+
+
+def accumulated(q: Quaternion, change: Quaternion) -> Quaternion:
+    """Write q + dq by the operation whose rounding the number format carries."""
+    builder = q.builder
+    values = [builder.emit(RealOp.ACCUMULATE, *pair) for pair in zip(q.values, change.values, strict=True)]
+    group = builder.group("sum", values, (q.group, change.group))
+    return step("q_next = q + dq", "", Quaternion(builder, tuple(values), group))
+
+
+@dataclass(frozen=True)
+class Increment:
+    """The attitude and what is to be added to it, to be returned by the author; not for further use."""
+
+    q: Quaternion
+    change: Quaternion
+
+    def finish(self) -> Quaternion:
+        """Write q + dq, with the renormalisation e q added to the increment where the `Writing` asks for it."""
+        change = self.change
+        if self.q.builder.writing.renormalise:
+            e = _with_renormalisation(self.q, None)
+            change = step("dq_e = dq + e q", "", change + e * self.q)
+        if self.q.builder.writing.as_written:
+            return step("q_next = q + dq", "", self.q + change)
+        return accumulated(self.q, change)
+
+
+def increment(q: Quaternion, change: Quaternion) -> Increment:
+    """Return the update q + dq, to be returned by the author."""
+    if not isinstance(q, Quaternion) or not isinstance(change, Quaternion):
+        raise UsageError("increment(q, dq) takes the attitude quaternion and a quaternion to be added to it")
+    return Increment(q, change)
 
 
 @dataclass(frozen=True)

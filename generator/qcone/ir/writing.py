@@ -19,13 +19,32 @@ class Series:
 
 
 @dataclass(frozen=True)
+class Functions:
+    """Polynomials of the functions that output stages need, by exact coefficients.
+
+    atan(t) = t + t^3 (arctangent[0] + arctangent[1] t^2 + ...) for |t| <= 0.4143, `eighth` being tan(pi/8);
+    1/sqrt(t) begins at reciprocal_root[0] + reciprocal_root[1] t + ... on [1, 4]; `ladder` lists the powers of four
+    by which a square root brings its argument there, the largest first. sin(t) = t + t^3 (sine[0] + ...) and
+    cos(t) = 1 + t^2 (cosine[0] + ...) for 0 <= t <= pi/4.
+    """
+
+    arctangent: tuple[Fraction, ...]
+    eighth: Fraction
+    reciprocal_root: tuple[Fraction, ...]
+    ladder: tuple[int, ...]
+    sine: tuple[Fraction, ...]
+    cosine: tuple[Fraction, ...]
+
+
+@dataclass(frozen=True)
 class Writing:
     """The choices that change what is written down, all others being equal.
 
     `form` is "as-written" (square root, divisions, sine and cosine, plain product, as the paper counts) or
     "factored" (polynomials, an increment held apart from 1). `accumulate` is "standard", q (x) r, or
     "delta", q + q (x) (r - 1). `renormalise` folds e = (1 - |q|^2)/2 into the scalar part of r. `rolled`
-    keeps the author's loops. `series` is what exp() uses; None where it is not yet chosen.
+    keeps the author's loops. `series` is what exp() uses, `functions` what arctangents and roots use; None where
+    they are not chosen: in the real language.
     """
 
     form: str = "factored"
@@ -33,6 +52,7 @@ class Writing:
     accumulate: str = "delta"
     renormalise: bool = True
     rolled: bool = False
+    functions: Functions | None = None
 
     @property
     def as_written(self) -> bool:

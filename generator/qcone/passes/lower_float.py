@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from qcone.errors import UsageError
-from qcone.formats.floating import Floating
+from qcone.formats.floating import TRUTH, Floating
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, Program, Routine, Statement
@@ -21,6 +21,7 @@ ONE_FOR_ONE: Mapping[object, MachineOp] = {
     RealOp.MULTIPLY: MachineOp.MULTIPLY,
     RealOp.DIVIDE: MachineOp.DIVIDE,
     RealOp.NEGATE: MachineOp.NEGATE,
+    RealOp.SELECT: MachineOp.SELECT,
 }
 
 
@@ -41,6 +42,8 @@ def lower_float(routine: Routine, number: Floating) -> Routine:
             exact = operation.constant
             rounded = _rounded(exact, routine, number)
             return (replace(operation, op=MachineOp.LITERAL, constant=rounded, exact=exact, format=number),)
+        if operation.op is RealOp.LESS:
+            return (replace(operation, op=MachineOp.LESS, format=TRUTH),)
         if operation.op in ONE_FOR_ONE:
             return (replace(operation, op=ONE_FOR_ONE[operation.op], format=number),)
         raise UsageError(

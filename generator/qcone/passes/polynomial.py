@@ -63,7 +63,7 @@ def best(target: Polynomial, powers: Sequence[int], end: Fraction) -> list[Fract
     coefficients: list[Fraction] = []
     for _ in range(ROUNDS):
         places = [end * k / GRID for k in points]
-        solution = _solve(
+        solution = solve(
             [[*(t**power for power in powers), Fraction((-1) ** i)] for i, t in enumerate(places)],
             [sum((c * t**power for power, c in enumerate(target)), Fraction(0)) for t in places],
         )
@@ -108,7 +108,7 @@ def _extremes(
     return [k for _, k in runs]
 
 
-def _solve(rows: list[list[Fraction]], right: list[Fraction]) -> list[Fraction]:
+def solve(rows: list[list[Fraction]], right: list[Fraction]) -> list[Fraction]:
     """Solve a small linear system exactly, by elimination."""
     size = len(rows)
     work = [[*row, value_] for row, value_ in zip(rows, right, strict=True)]
@@ -136,3 +136,12 @@ def simplest(low: Fraction, high: Fraction) -> Fraction:
     if whole + 1 <= high:
         return Fraction(whole + 1)
     return whole + 1 / simplest(1 / (high - whole), 1 / (low - whole))
+
+
+def shifted(polynomial: Polynomial, start: Fraction) -> list[Fraction]:
+    """Return the coefficients in s of polynomial(start + s)."""
+    result = list(polynomial)
+    for first in range(len(result)):
+        for k in range(len(result) - 2, first - 1, -1):
+            result[k] += start * result[k + 1]
+    return result

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Statement, Write
+from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Ready, Statement, Write
 
 Visit = Callable[[Operation], Iterable[Statement]]
 
@@ -28,6 +28,6 @@ def rebuild(body: tuple[Statement, ...], visit: Visit, renamed: dict[int, int]) 
                 result.append(replace(statement, body=rebuild(statement.body, visit, renamed)))
             case Call():
                 result.append(replace(statement, args=tuple(renamed.get(arg, arg) for arg in statement.args)))
-            case Advance() | Choose():
+            case Advance() | Choose() | Ready():
                 result.append(statement)
     return tuple(result)

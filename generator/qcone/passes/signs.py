@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from qcone.ir.operations import RealOp
-from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Routine, Statement, Write, results, walk
+from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Ready, Routine, Statement, Write, results, walk
 
 
 def signs(routine: Routine) -> Routine:
@@ -49,7 +49,7 @@ class _Carrier:
                 case Call():
                     args = tuple(self._positive(arg, statement, out.append) for arg in statement.args)
                     out.append(replace(statement, args=args))
-                case Advance() | Choose():
+                case Advance() | Choose() | Ready():
                     out.append(statement)
         return tuple(out)
 

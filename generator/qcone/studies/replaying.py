@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +15,7 @@ from qcone.bundle import Bundle
 from qcone.errors import CheckError, UsageError
 from qcone.studies.recording import Recording, Updates, split_updates
 from qcone.targets.compiler import first_compiler
-from qcone.vectors import GO_ON, SET, Vectors
+from qcone.vectors import GO_ON, SET, Vectors, in_form
 
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
 LEVEL = "-O2"
@@ -25,11 +25,15 @@ UNIT_TOLERANCE = 1e-3
 
 @dataclass(frozen=True)
 class Replay:
-    """The attitude after each update: `time_s` (n,), `q` (n, 4) as the C reports it, `notes` for the user."""
+    """What the C reports after each update: `time_s` (n,), the attitude `q` (n, 4), `notes` for the user.
+
+    `outputs` (n, k) hold every output by its function's name: `quaternion`, `dcm`, `euler`, `error_estimate`.
+    """
 
     time_s: NDArray[np.float64]
     q: NDArray[np.float64]
     notes: tuple[str, ...]
+    outputs: Mapping[str, NDArray[np.float64]]
 
 
 def replay(
@@ -68,8 +72,17 @@ def replay(
         if differing:
             raise CheckError(f"{differing} bits differ: {verify.describe_first(bundle, vectors, words, expected)}")
         notes.append(f"0 differing bits against the bit-true model in {vectors.rows} updates")
-    first = len(bundle.driver.state_words)
-    return Replay(updates.time_s, words[0, :, first : first + 4].astype(np.float64), tuple(notes))
+    outputs = {name: each[0] for name, each in outputs_of(bundle, words).items()}
+    return Replay(updates.time_s, outputs["quaternion"], tuple(notes), outputs)
+
+
+def outputs_of(bundle: Bundle, words: NDArray[Any]) -> dict[str, NDArray[np.float64]]:
+    """Return the outputs (lanes, steps, k) by name, of the words (lanes, steps, words) a run wrote."""
+    found, first = {}, len(bundle.driver.state_words)
+    for name, size in bundle.driver.outputs:
+        found[name] = words[..., first : first + size].astype(np.float64)
+        first += size
+    return found
 
 
 def _suits(bundle: Bundle, recording: Recording) -> None:
@@ -96,8 +109,8 @@ def _vectors(bundle: Bundle, updates: Updates, initial: Sequence[float]) -> Vect
     rows = len(updates.values)
     restart = np.full((1, rows), GO_ON, np.int32)
     restart[0, 0] = SET
-    attitude: NDArray[Any] = np.zeros((1, rows, 4), dtype)
-    attitude[0, 0] = start / length
+    attitude: NDArray[Any] = np.zeros((1, rows, bundle.driver.attitude_size), dtype)
+    attitude[0, 0] = in_form(start / length, bundle.driver.setter, bundle.facts.design.euler)
     before = np.zeros((1, rows, 3), dtype)
     if updates.start is not None:
         before[0, 0] = updates.start

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from math import pi
 from pathlib import Path
@@ -14,8 +14,8 @@ from qcone.registry import algorithm_of, entries
 from qcone.studies.attitude_csv import write_attitude
 from qcone.studies.recording import Recording, max_rate_dps
 from qcone.studies.replaying import Replay, angles_between, replay
+from qcone.studies.selection import Say, caution
 
-Say = Callable[[str], None]
 DEGREES = 180 / pi
 
 
@@ -38,7 +38,7 @@ def design_for(recording: Recording, algorithm: str, options: Mapping[str, str |
     hz = _decimal(recording.sample_hz)
     single = design_from_options("replayed", {**base, "update_hz": hz}, entries())
     update_hz = recording.sample_hz / algorithm_of(single).subsamples
-    return design_from_options("replayed", {**base, "update_hz": _decimal(update_hz)}, entries())
+    return caution(design_from_options("replayed", {**base, "update_hz": _decimal(update_hz)}, entries()), say)
 
 
 def _decimal(value: Fraction) -> str:

@@ -1,0 +1,597 @@
+/* Generated, do not edit. Made by: qcone generate adams_moulton_4.toml --design adams_moulton_4_heun_float32
+ *
+ * qcone 0.1.0, design adams_moulton_4_heun_float32, SHA-256 of the design
+ * b93be256459598cc9169baf584a43786c26b762354097ee3ad88a81e690e535d
+ *
+ * algorithm:   adams-moulton-4-heun, form factored, q' = q + dq, renormalised on every update
+ * source:      thesis2008 Adams-Moulton, Milne
+ * equation:    p = q + h (55 f_0 - 59 f_1 + 37 f_2 - 9 f_3)/24; q + h (9 f_p + 19 f_0 - 5 f_1 +
+ *              f_2)/24
+ * number:      float32, every operation rounded once
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
+ *
+ * range:       |omega| <= 573 deg/s (10.001 rad/s), 200 updates/s; |dtheta| <= 0.050004 rad;
+ *              beyond it nothing is bounded: accuracy is lost and, far beyond it, the state can
+ *              diverge to NaN for good, so clamp inputs that can be so large; setting the attitude
+ *              anew brings it back
+ * truncation:  no function is approximated; the method is of order 3 in the interval
+ * rounding:    not bounded
+ *
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * start_up as-written      43       0   29         7       2       0     0     0     0       0
+ * start_up shared         38       5   27         9       1       0     0     0     0       0
+ * start_up emitted        38       5   27         9       1       0     0     0     0       0
+ * steady as-written       75       0   37        23       2       0     0     0     0       0
+ * steady shared           74       1   37        23       1       0     0     0     0       0
+ * steady emitted          74       1   37        23       1       0     0     0     0       0
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0
+ * dcm shared               9       0    9         6       0       0     0     0     0       0
+ * dcm emitted              9       0    9         6       0       0     0     0     0       0
+ *
+ * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
+ * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
+ * and sign of a NaN are unspecified.
+ *
+ * SPDX-License-Identifier: MIT-0
+ * The maker of the generator claims no rights in this file.
+ */
+#include "adams_moulton_4_heun_float32.h"
+
+#if ADAMS_MOULTON_4_HEUN_FLOAT32_VERSION != 1
+#error "adams_moulton_4_heun_float32.h is of another version than this file: generate both again"
+#endif
+
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+
+void adams_moulton_4_heun_float32_init(adams_moulton_4_heun_float32_state *state)
+{
+    state->q[0] = 1.0F;
+    state->q[1] = 0.0F;
+    state->q[2] = 0.0F;
+    state->q[3] = 0.0F;
+    state->omega_last[0] = 0.0F;
+    state->omega_last[1] = 0.0F;
+    state->omega_last[2] = 0.0F;
+    state->f[0] = 0.0F;
+    state->f[1] = 0.0F;
+    state->f[2] = 0.0F;
+    state->f[3] = 0.0F;
+    state->f[4] = 0.0F;
+    state->f[5] = 0.0F;
+    state->f[6] = 0.0F;
+    state->f[7] = 0.0F;
+    state->f[8] = 0.0F;
+    state->f[9] = 0.0F;
+    state->f[10] = 0.0F;
+    state->f[11] = 0.0F;
+    state->error[0] = 0.0F;
+    state->error[1] = 0.0F;
+    state->error[2] = 0.0F;
+    state->error[3] = 0.0F;
+    state->count = 0;
+}
+
+void adams_moulton_4_heun_float32_set_quaternion(
+    adams_moulton_4_heun_float32_state *state, const float q_nb[4])
+{
+    /* q_nb, read once */
+    const float q_nb_w = q_nb[0];
+    const float q_nb_x = q_nb[1];
+    const float q_nb_y = q_nb[2];
+    const float q_nb_z = q_nb[3];
+
+    /* q_square = |q|^2 */
+    const float q_square_1 = q_nb_w * q_nb_w;
+    const float q_square_2 = q_nb_x * q_nb_x;
+    const float q_square_3 = q_square_1 + q_square_2;
+    const float q_square_4 = q_nb_y * q_nb_y;
+    const float q_square_5 = q_square_3 + q_square_4;
+    const float q_square_6 = q_nb_z * q_nb_z;
+    const float q_square = q_square_5 + q_square_6;
+
+    /* e = (1 - |q|^2)/2 */
+    const float e_1 = 1.0F - q_square;
+    const float e = 0.5F * e_1;
+
+    /* q_next = q + e q */
+    const float q_next_w_1 = e * q_nb_w;
+    const float q_next_x_1 = e * q_nb_x;
+    const float q_next_y_1 = e * q_nb_y;
+    const float q_next_z_1 = e * q_nb_z;
+    const float q_next_w = q_nb_w + q_next_w_1;
+    const float q_next_x = q_nb_x + q_next_x_1;
+    const float q_next_y = q_nb_y + q_next_y_1;
+    const float q_next_z = q_nb_z + q_next_z_1;
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+    state->f[0] = 0.0F;
+    state->f[1] = 0.0F;
+    state->f[2] = 0.0F;
+    state->f[3] = 0.0F;
+    state->f[4] = 0.0F;
+    state->f[5] = 0.0F;
+    state->f[6] = 0.0F;
+    state->f[7] = 0.0F;
+    state->f[8] = 0.0F;
+    state->f[9] = 0.0F;
+    state->f[10] = 0.0F;
+    state->f[11] = 0.0F;
+    state->error[0] = 0.0F;
+    state->error[1] = 0.0F;
+    state->error[2] = 0.0F;
+    state->error[3] = 0.0F;
+    state->count = 0;
+}
+
+void adams_moulton_4_heun_float32_start(adams_moulton_4_heun_float32_state *state, const float omega[3])
+{
+    const float omega_x = omega[0];
+    const float omega_y = omega[1];
+    const float omega_z = omega[2];
+    state->omega_last[0] = omega_x;
+    state->omega_last[1] = omega_y;
+    state->omega_last[2] = omega_z;
+}
+
+static void adams_moulton_4_heun_float32_start_up(
+    adams_moulton_4_heun_float32_state *state, const float omega[3])
+{
+    /* attitude and input */
+    const float q_w = state->q[0];
+    const float q_x = state->q[1];
+    const float q_y = state->q[2];
+    const float q_z = state->q[3];
+    const float omega_x = omega[0];
+    const float omega_y = omega[1];
+    const float omega_z = omega[2];
+
+    /* the sample at the start of the interval */
+    const float omega_last_x = state->omega_last[0];
+    const float omega_last_y = state->omega_last[1];
+    const float omega_last_z = state->omega_last[2];
+
+    /* slopes h q' of the last steps, newest first */
+    const float f1_w = state->f[0];
+    const float f1_x = state->f[1];
+    const float f1_y = state->f[2];
+    const float f1_z = state->f[3];
+    const float f2_w = state->f[4];
+    const float f2_x = state->f[5];
+    const float f2_y = state->f[6];
+    const float f2_z = state->f[7];
+
+    /* g0 = h/2 omega, last */
+    const float g0_x = 0.0025F /* 1/400 */ * omega_last_x;
+    const float g0_y = 0.0025F /* 1/400 */ * omega_last_y;
+    const float g0_z = 0.0025F /* 1/400 */ * omega_last_z;
+
+    /* g1 = h/2 omega, new */
+    const float g1_x = 0.0025F /* 1/400 */ * omega_x;
+    const float g1_y = 0.0025F /* 1/400 */ * omega_y;
+    const float g1_z = 0.0025F /* 1/400 */ * omega_z;
+
+    /* f0 = q (x) g0 */
+    const float f0_w_negated_1 = q_x * g0_x;
+    const float f0_w_negated_2 = q_y * g0_y;
+    const float f0_w_negated_3 = q_z * g0_z;
+    const float f0_w_negated_4 = f0_w_negated_1 + f0_w_negated_2;
+    const float f0_w_negated = f0_w_negated_4 + f0_w_negated_3;
+    const float f0_x_1 = q_w * g0_x;
+    const float f0_x_2 = q_y * g0_z;
+    const float f0_x_3 = q_z * g0_y;
+    const float f0_x_4 = f0_x_1 + f0_x_2;
+    const float f0_x = f0_x_4 - f0_x_3;
+    const float f0_y_1 = q_w * g0_y;
+    const float f0_y_2 = q_z * g0_x;
+    const float f0_y_3 = q_x * g0_z;
+    const float f0_y_4 = f0_y_1 + f0_y_2;
+    const float f0_y = f0_y_4 - f0_y_3;
+    const float f0_z_1 = q_w * g0_z;
+    const float f0_z_2 = q_x * g0_y;
+    const float f0_z_3 = q_y * g0_x;
+    const float f0_z_4 = f0_z_1 + f0_z_2;
+    const float f0_z = f0_z_4 - f0_z_3;
+
+    /* fp = (q + f0) (x) g1   [Heun] */
+    const float fp_x_1 = q_w - f0_w_negated;
+    const float fp_w_negated_1 = q_x + f0_x;
+    const float fp_w_negated_2 = q_y + f0_y;
+    const float fp_w_negated_3 = q_z + f0_z;
+    const float fp_w_negated_4 = fp_w_negated_1 * g1_x;
+    const float fp_w_negated_5 = fp_w_negated_2 * g1_y;
+    const float fp_w_negated_6 = fp_w_negated_3 * g1_z;
+    const float fp_w_negated_7 = fp_w_negated_4 + fp_w_negated_5;
+    const float fp_w_negated = fp_w_negated_7 + fp_w_negated_6;
+    const float fp_x_2 = fp_x_1 * g1_x;
+    const float fp_x_3 = fp_w_negated_2 * g1_z;
+    const float fp_x_4 = fp_w_negated_3 * g1_y;
+    const float fp_x_5 = fp_x_2 + fp_x_3;
+    const float fp_x = fp_x_5 - fp_x_4;
+    const float fp_y_1 = fp_x_1 * g1_y;
+    const float fp_y_2 = fp_w_negated_3 * g1_x;
+    const float fp_y_3 = fp_w_negated_1 * g1_z;
+    const float fp_y_4 = fp_y_1 + fp_y_2;
+    const float fp_y = fp_y_4 - fp_y_3;
+    const float fp_z_1 = fp_x_1 * g1_z;
+    const float fp_z_2 = fp_w_negated_1 * g1_y;
+    const float fp_z_3 = fp_w_negated_2 * g1_x;
+    const float fp_z_4 = fp_z_1 + fp_z_2;
+    const float fp_z = fp_z_4 - fp_z_3;
+
+    /* dq = (f0 + fp)/2   [Heun] */
+    const float dq_w_negated_1 = f0_w_negated + fp_w_negated;
+    const float dq_x_1 = f0_x + fp_x;
+    const float dq_y_1 = f0_y + fp_y;
+    const float dq_z_1 = f0_z + fp_z;
+    const float dq_w_negated = 0.5F * dq_w_negated_1;
+    const float dq_x = 0.5F * dq_x_1;
+    const float dq_y = 0.5F * dq_y_1;
+    const float dq_z = 0.5F * dq_z_1;
+
+    /* q_square = |q|^2 */
+    const float q_square_1 = q_w * q_w;
+    const float q_square_2 = q_x * q_x;
+    const float q_square_3 = q_y * q_y;
+    const float q_square_4 = q_z * q_z;
+    const float q_square_5 = q_square_1 + q_square_2;
+    const float q_square_6 = q_square_5 + q_square_3;
+    const float q_square = q_square_6 + q_square_4;
+
+    /* e = (1 - |q|^2)/2   [renormalisation, folded into the scalar part] */
+    const float e_1 = 1.0F - q_square;
+    const float e = 0.5F * e_1;
+
+    /* dq_e = dq + e q */
+    const float dq_e_w_1 = e * q_w;
+    const float dq_e_x_1 = e * q_x;
+    const float dq_e_y_1 = e * q_y;
+    const float dq_e_z_1 = e * q_z;
+    const float dq_e_w = dq_e_w_1 - dq_w_negated;
+    const float dq_e_x = dq_x + dq_e_x_1;
+    const float dq_e_y = dq_y + dq_e_y_1;
+    const float dq_e_z = dq_z + dq_e_z_1;
+
+    /* q_next = q + dq */
+    const float q_next_w = q_w + dq_e_w;
+    const float q_next_x = q_x + dq_e_x;
+    const float q_next_y = q_y + dq_e_y;
+    const float q_next_z = q_z + dq_e_z;
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+    state->omega_last[0] = omega_x;
+    state->omega_last[1] = omega_y;
+    state->omega_last[2] = omega_z;
+    const float f_1 = -f0_w_negated;
+    state->f[0] = f_1;
+    state->f[1] = f0_x;
+    state->f[2] = f0_y;
+    state->f[3] = f0_z;
+    state->f[4] = f1_w;
+    state->f[5] = f1_x;
+    state->f[6] = f1_y;
+    state->f[7] = f1_z;
+    state->f[8] = f2_w;
+    state->f[9] = f2_x;
+    state->f[10] = f2_y;
+    state->f[11] = f2_z;
+    state->count = state->count + 1;
+}
+
+static void adams_moulton_4_heun_float32_steady(
+    adams_moulton_4_heun_float32_state *state, const float omega[3])
+{
+    /* attitude and input */
+    const float q_w = state->q[0];
+    const float q_x = state->q[1];
+    const float q_y = state->q[2];
+    const float q_z = state->q[3];
+    const float omega_x = omega[0];
+    const float omega_y = omega[1];
+    const float omega_z = omega[2];
+
+    /* the sample at the start of the interval */
+    const float omega_last_x = state->omega_last[0];
+    const float omega_last_y = state->omega_last[1];
+    const float omega_last_z = state->omega_last[2];
+
+    /* slopes h q' of the last steps, newest first */
+    const float f1_w = state->f[0];
+    const float f1_x = state->f[1];
+    const float f1_y = state->f[2];
+    const float f1_z = state->f[3];
+    const float f2_w = state->f[4];
+    const float f2_x = state->f[5];
+    const float f2_y = state->f[6];
+    const float f2_z = state->f[7];
+    const float f3_w = state->f[8];
+    const float f3_x = state->f[9];
+    const float f3_y = state->f[10];
+    const float f3_z = state->f[11];
+
+    /* g0 = h/2 omega, last */
+    const float g0_x = 0.0025F /* 1/400 */ * omega_last_x;
+    const float g0_y = 0.0025F /* 1/400 */ * omega_last_y;
+    const float g0_z = 0.0025F /* 1/400 */ * omega_last_z;
+
+    /* g1 = h/2 omega, new */
+    const float g1_x = 0.0025F /* 1/400 */ * omega_x;
+    const float g1_y = 0.0025F /* 1/400 */ * omega_y;
+    const float g1_z = 0.0025F /* 1/400 */ * omega_z;
+
+    /* f0 = q (x) g0 */
+    const float f0_w_negated_1 = q_x * g0_x;
+    const float f0_w_negated_2 = q_y * g0_y;
+    const float f0_w_negated_3 = q_z * g0_z;
+    const float f0_w_negated_4 = f0_w_negated_1 + f0_w_negated_2;
+    const float f0_w_negated = f0_w_negated_4 + f0_w_negated_3;
+    const float f0_x_1 = q_w * g0_x;
+    const float f0_x_2 = q_y * g0_z;
+    const float f0_x_3 = q_z * g0_y;
+    const float f0_x_4 = f0_x_1 + f0_x_2;
+    const float f0_x = f0_x_4 - f0_x_3;
+    const float f0_y_1 = q_w * g0_y;
+    const float f0_y_2 = q_z * g0_x;
+    const float f0_y_3 = q_x * g0_z;
+    const float f0_y_4 = f0_y_1 + f0_y_2;
+    const float f0_y = f0_y_4 - f0_y_3;
+    const float f0_z_1 = q_w * g0_z;
+    const float f0_z_2 = q_x * g0_y;
+    const float f0_z_3 = q_y * g0_x;
+    const float f0_z_4 = f0_z_1 + f0_z_2;
+    const float f0_z = f0_z_4 - f0_z_3;
+
+    /* dp = (55 f0 - 59 f1 + 37 f2 - 9 f3)/24   [Adams-Bashforth] */
+    const float dp_w_1 = 2.2916667F /* 55/24 */ * f0_w_negated;
+    const float dp_x_1 = 2.2916667F /* 55/24 */ * f0_x;
+    const float dp_y_1 = 2.2916667F /* 55/24 */ * f0_y;
+    const float dp_z_1 = 2.2916667F /* 55/24 */ * f0_z;
+    const float dp_w_2 = 2.4583333F /* 59/24 */ * f1_w;
+    const float dp_x_2 = 2.4583333F /* 59/24 */ * f1_x;
+    const float dp_y_2 = 2.4583333F /* 59/24 */ * f1_y;
+    const float dp_z_2 = 2.4583333F /* 59/24 */ * f1_z;
+    const float dp_w_3 = dp_w_1 + dp_w_2;
+    const float dp_x_3 = dp_x_1 - dp_x_2;
+    const float dp_y_3 = dp_y_1 - dp_y_2;
+    const float dp_z_3 = dp_z_1 - dp_z_2;
+    const float dp_w_4 = 1.5416666F /* 37/24 */ * f2_w;
+    const float dp_x_4 = 1.5416666F /* 37/24 */ * f2_x;
+    const float dp_y_4 = 1.5416666F /* 37/24 */ * f2_y;
+    const float dp_z_4 = 1.5416666F /* 37/24 */ * f2_z;
+    const float dp_w_5 = dp_w_4 - dp_w_3;
+    const float dp_x_5 = dp_x_3 + dp_x_4;
+    const float dp_y_5 = dp_y_3 + dp_y_4;
+    const float dp_z_5 = dp_z_3 + dp_z_4;
+    const float dp_w_6 = 0.375F * f3_w;
+    const float dp_x_6 = 0.375F * f3_x;
+    const float dp_y_6 = 0.375F * f3_y;
+    const float dp_z_6 = 0.375F * f3_z;
+    const float dp_w = dp_w_5 - dp_w_6;
+    const float dp_x = dp_x_5 - dp_x_6;
+    const float dp_y = dp_y_5 - dp_y_6;
+    const float dp_z = dp_z_5 - dp_z_6;
+
+    /* p = q + dp   [Adams-Bashforth] */
+    const float p_w = q_w + dp_w;
+    const float p_x = q_x + dp_x;
+    const float p_y = q_y + dp_y;
+    const float p_z = q_z + dp_z;
+
+    /* fp = p (x) g1 */
+    const float fp_w_negated_1 = p_x * g1_x;
+    const float fp_w_negated_2 = p_y * g1_y;
+    const float fp_w_negated_3 = p_z * g1_z;
+    const float fp_w_negated_4 = fp_w_negated_1 + fp_w_negated_2;
+    const float fp_w_negated = fp_w_negated_4 + fp_w_negated_3;
+    const float fp_x_1 = p_w * g1_x;
+    const float fp_x_2 = p_y * g1_z;
+    const float fp_x_3 = p_z * g1_y;
+    const float fp_x_4 = fp_x_1 + fp_x_2;
+    const float fp_x = fp_x_4 - fp_x_3;
+    const float fp_y_1 = p_w * g1_y;
+    const float fp_y_2 = p_z * g1_x;
+    const float fp_y_3 = p_x * g1_z;
+    const float fp_y_4 = fp_y_1 + fp_y_2;
+    const float fp_y = fp_y_4 - fp_y_3;
+    const float fp_z_1 = p_w * g1_z;
+    const float fp_z_2 = p_x * g1_y;
+    const float fp_z_3 = p_y * g1_x;
+    const float fp_z_4 = fp_z_1 + fp_z_2;
+    const float fp_z = fp_z_4 - fp_z_3;
+
+    /* dq = (9 fp + 19 f0 - 5 f1 + f2)/24   [Adams-Moulton] */
+    const float dq_w_1 = 0.375F * fp_w_negated;
+    const float dq_x_1 = 0.375F * fp_x;
+    const float dq_y_1 = 0.375F * fp_y;
+    const float dq_z_1 = 0.375F * fp_z;
+    const float dq_w_2 = 0.7916667F /* 19/24 */ * f0_w_negated;
+    const float dq_x_2 = 0.7916667F /* 19/24 */ * f0_x;
+    const float dq_y_2 = 0.7916667F /* 19/24 */ * f0_y;
+    const float dq_z_2 = 0.7916667F /* 19/24 */ * f0_z;
+    const float dq_w_3 = dq_w_1 + dq_w_2;
+    const float dq_x_3 = dq_x_1 + dq_x_2;
+    const float dq_y_3 = dq_y_1 + dq_y_2;
+    const float dq_z_3 = dq_z_1 + dq_z_2;
+    const float dq_w_4 = 0.20833333F /* 5/24 */ * f1_w;
+    const float dq_x_4 = 0.20833333F /* 5/24 */ * f1_x;
+    const float dq_y_4 = 0.20833333F /* 5/24 */ * f1_y;
+    const float dq_z_4 = 0.20833333F /* 5/24 */ * f1_z;
+    const float dq_w_5 = dq_w_3 + dq_w_4;
+    const float dq_x_5 = dq_x_3 - dq_x_4;
+    const float dq_y_5 = dq_y_3 - dq_y_4;
+    const float dq_z_5 = dq_z_3 - dq_z_4;
+    const float dq_w_6 = 0.041666668F /* 1/24 */ * f2_w;
+    const float dq_x_6 = 0.041666668F /* 1/24 */ * f2_x;
+    const float dq_y_6 = 0.041666668F /* 1/24 */ * f2_y;
+    const float dq_z_6 = 0.041666668F /* 1/24 */ * f2_z;
+    const float dq_w = dq_w_6 - dq_w_5;
+    const float dq_x = dq_x_5 + dq_x_6;
+    const float dq_y = dq_y_5 + dq_y_6;
+    const float dq_z = dq_z_5 + dq_z_6;
+
+    /* error = -19/270 (dq - dp)   [Milne] */
+    const float error_w_1 = dq_w - dp_w;
+    const float error_x_1 = dq_x - dp_x;
+    const float error_y_1 = dq_y - dp_y;
+    const float error_z_1 = dq_z - dp_z;
+    const float error_w = -0.07037037F /* -19/270 */ * error_w_1;
+    const float error_x = -0.07037037F /* -19/270 */ * error_x_1;
+    const float error_y = -0.07037037F /* -19/270 */ * error_y_1;
+    const float error_z = -0.07037037F /* -19/270 */ * error_z_1;
+
+    /* q_square = |q|^2 */
+    const float q_square_1 = q_w * q_w;
+    const float q_square_2 = q_x * q_x;
+    const float q_square_3 = q_y * q_y;
+    const float q_square_4 = q_z * q_z;
+    const float q_square_5 = q_square_1 + q_square_2;
+    const float q_square_6 = q_square_5 + q_square_3;
+    const float q_square = q_square_6 + q_square_4;
+
+    /* e = (1 - |q|^2)/2   [renormalisation, folded into the scalar part] */
+    const float e_1 = 1.0F - q_square;
+    const float e = 0.5F * e_1;
+
+    /* dq_e = dq + e q */
+    const float dq_e_w_1 = e * q_w;
+    const float dq_e_x_1 = e * q_x;
+    const float dq_e_y_1 = e * q_y;
+    const float dq_e_z_1 = e * q_z;
+    const float dq_e_w = dq_w + dq_e_w_1;
+    const float dq_e_x = dq_x + dq_e_x_1;
+    const float dq_e_y = dq_y + dq_e_y_1;
+    const float dq_e_z = dq_z + dq_e_z_1;
+
+    /* q_next = q + dq */
+    const float q_next_w = q_w + dq_e_w;
+    const float q_next_x = q_x + dq_e_x;
+    const float q_next_y = q_y + dq_e_y;
+    const float q_next_z = q_z + dq_e_z;
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+    state->omega_last[0] = omega_x;
+    state->omega_last[1] = omega_y;
+    state->omega_last[2] = omega_z;
+    const float f_1 = -f0_w_negated;
+    state->f[0] = f_1;
+    state->f[1] = f0_x;
+    state->f[2] = f0_y;
+    state->f[3] = f0_z;
+    state->f[4] = f1_w;
+    state->f[5] = f1_x;
+    state->f[6] = f1_y;
+    state->f[7] = f1_z;
+    state->f[8] = f2_w;
+    state->f[9] = f2_x;
+    state->f[10] = f2_y;
+    state->f[11] = f2_z;
+    state->error[0] = error_w;
+    state->error[1] = error_x;
+    state->error[2] = error_y;
+    state->error[3] = error_z;
+}
+
+void adams_moulton_4_heun_float32_update(adams_moulton_4_heun_float32_state *state, const float omega[3])
+{
+    /* the history is full after 3 updates */
+    if (state->count < 3) {
+        adams_moulton_4_heun_float32_start_up(state, omega);
+    } else {
+        adams_moulton_4_heun_float32_steady(state, omega);
+    }
+}
+
+void adams_moulton_4_heun_float32_quaternion(
+    const adams_moulton_4_heun_float32_state *state, float q_nb[4])
+{
+    /* q, read once */
+    const float q_w = state->q[0];
+    const float q_x = state->q[1];
+    const float q_y = state->q[2];
+    const float q_z = state->q[3];
+
+    q_nb[0] = q_w;
+    q_nb[1] = q_x;
+    q_nb[2] = q_y;
+    q_nb[3] = q_z;
+}
+
+void adams_moulton_4_heun_float32_dcm(const adams_moulton_4_heun_float32_state *state, float c_nb[9])
+{
+    /* q, read once */
+    const float q_w = state->q[0];
+    const float q_x = state->q[1];
+    const float q_y = state->q[2];
+    const float q_z = state->q[3];
+
+    /* zz = 2 q_z q_z; wx, wy, ... likewise   [cao (15)] */
+    const float x2 = q_x + q_x;
+    const float y2 = q_y + q_y;
+    const float z2 = q_z + q_z;
+    const float wx = q_w * x2;
+    const float wy = q_w * y2;
+    const float wz = q_w * z2;
+    const float xx = q_x * x2;
+    const float xy = q_x * y2;
+    const float xz = q_x * z2;
+    const float yy = q_y * y2;
+    const float yz = q_y * z2;
+    const float zz = q_z * z2;
+
+    /* c_nb = C_nb(q)   [cao (15)] */
+    const float c_nb_11_1 = yy + zz;
+    const float c_nb_11 = 1.0F - c_nb_11_1;
+    const float c_nb_12 = xy - wz;
+    const float c_nb_13 = xz + wy;
+    const float c_nb_21 = xy + wz;
+    const float c_nb_22_1 = xx + zz;
+    const float c_nb_22 = 1.0F - c_nb_22_1;
+    const float c_nb_23 = yz - wx;
+    const float c_nb_31 = xz - wy;
+    const float c_nb_32 = yz + wx;
+    const float c_nb_33_1 = xx + yy;
+    const float c_nb_33 = 1.0F - c_nb_33_1;
+
+    c_nb[0] = c_nb_11;
+    c_nb[1] = c_nb_12;
+    c_nb[2] = c_nb_13;
+    c_nb[3] = c_nb_21;
+    c_nb[4] = c_nb_22;
+    c_nb[5] = c_nb_23;
+    c_nb[6] = c_nb_31;
+    c_nb[7] = c_nb_32;
+    c_nb[8] = c_nb_33;
+}
+
+void adams_moulton_4_heun_float32_error_estimate(
+    const adams_moulton_4_heun_float32_state *state, float e[4])
+{
+    const float error_w = state->error[0];
+    const float error_x = state->error[1];
+    const float error_y = state->error[2];
+    const float error_z = state->error[3];
+    e[0] = error_w;
+    e[1] = error_x;
+    e[2] = error_y;
+    e[3] = error_z;
+}
+
+int adams_moulton_4_heun_float32_ready(const adams_moulton_4_heun_float32_state *state)
+{
+    /* the attitude is current from update 1 on */
+    return (state->count >= 1) ? 1 : 0;
+}

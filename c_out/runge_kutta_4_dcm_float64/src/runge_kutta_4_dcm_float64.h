@@ -1,0 +1,129 @@
+/* Generated, do not edit. Made by: qcone generate runge_kutta_4.toml --design runge_kutta_4_dcm_float64
+ *
+ * qcone 0.1.0, design runge_kutta_4_dcm_float64, SHA-256 of the design
+ * e1c9e94232a3c6f98abebed75132d256d129092c3d004c2e3060ab0e92a41c55
+ *
+ * algorithm:   runge-kutta-4-dcm, form factored, C' = C + dC, two rows and their cross product,
+ *              re-orthogonalised on every update
+ * source:      classical Runge 1895, Kutta 1901
+ * equation:    k = C [omega x]; C + h (k1 + 2 k2 + 2 k3 + k4)/6, row by row
+ * number:      float64, every operation rounded once
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
+ *
+ * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.058338 rad;
+ *              beyond it nothing is bounded: accuracy is lost and, far beyond it, the state can
+ *              diverge to NaN for good, so clamp inputs that can be so large; setting the attitude
+ *              anew brings it back
+ * truncation:  no function is approximated; the method is of order 4 in the interval
+ * rounding:    not bounded
+ *
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * update as-written      107       0   54        32       0       0     0     0     0       0
+ * update shared           93      14   54        32       0       0     0     0     0       0
+ * update emitted          93      14   54        32       0       0     0     0     0       0
+ * dcm as-written           0       0    0         0       0       0     0     0     0       0
+ * dcm shared               0       0    0         0       0       0     0     0     0       0
+ * dcm emitted              0       0    0         0       0       0     0     0     0       0
+ *
+ * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
+ * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
+ * and sign of a NaN are unspecified.
+ *
+ * SPDX-License-Identifier: MIT-0
+ * The maker of the generator claims no rights in this file.
+ */
+#ifndef RUNGE_KUTTA_4_DCM_FLOAT64_H
+#define RUNGE_KUTTA_4_DCM_FLOAT64_H
+
+#include <float.h>
+#include <stdint.h>
+
+#ifdef __FAST_MATH__
+#error "runge_kutta_4_dcm_float64: compile without -ffast-math: the order of operations is part of the result"
+#endif
+#if !defined(FLT_EVAL_METHOD) && defined(__TINYC__) && !defined(__i386__)
+/* tcc does not say; everywhere but on the x87 it rounds every operation to its own type. */
+#elif !defined(FLT_EVAL_METHOD) || (FLT_EVAL_METHOD != 0)
+#error "runge_kutta_4_dcm_float64: needs FLT_EVAL_METHOD 0: every operation rounded to its own type"
+#endif
+#if (FLT_RADIX != 2) || (DBL_MANT_DIG != 53)
+#error "runge_kutta_4_dcm_float64: needs the binary formats of IEEE 754"
+#endif
+
+/* Interface of the emitted code; companions check it. */
+#define RUNGE_KUTTA_4_DCM_FLOAT64_VERSION 1
+/* Samples handed to one update. */
+#define RUNGE_KUTTA_4_DCM_FLOAT64_SUBSAMPLES 2
+/* Time of one update in seconds. */
+#define RUNGE_KUTTA_4_DCM_FLOAT64_INTERVAL_S 0.01
+/* Initialiser of a state: what init() sets. */
+#define RUNGE_KUTTA_4_DCM_FLOAT64_STATE_INIT { { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 } }
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The state of one attitude; its members are private. */
+typedef struct {
+    double c[9]; /* direction cosine matrix C_nb, row major: v_n = C_nb v_b */
+    double omega_last[3]; /* newest rate sample so far, rad/s, sensor axes */
+} runge_kutta_4_dcm_float64_state;
+
+/*
+ * Set the identity attitude and clear the history. Type of values: double.
+ *
+ * The attitude is the identity; history and residual are empty.
+ */
+void runge_kutta_4_dcm_float64_init(runge_kutta_4_dcm_float64_state *state);
+
+/*
+ * Set the attitude, orthonormalised once, and clear the history. Type of values: double.
+ *
+ * c_nb: row major, orthonormal to within the format's rounding; v_n = C_nb v_b.
+ * One Newton step orthonormalises two rows, the third is their cross product. History is cleared.
+ */
+void runge_kutta_4_dcm_float64_set_dcm(runge_kutta_4_dcm_float64_state *state, const double c_nb[9]);
+
+/*
+ * Take the rate sample at the start of the first update. Type of values: double.
+ *
+ * omega: rad/s, sensor axes. To be called once before the first update.
+ */
+void runge_kutta_4_dcm_float64_start(runge_kutta_4_dcm_float64_state *state, const double omega[3]);
+
+/*
+ * Advance the attitude by one update. Type of values: double.
+ *
+ * omega: 2 x 3 values, omega[3*k + axis], sub-sample k = 0 first; rad/s, the newest rate last;
+ *   sensor axes.
+ * The rate at the start of the interval is the last one of the update before, or start()'s.
+ * Range: norm of each at most 10.001; beyond it nothing is bounded: accuracy is lost and, far
+ *   beyond it, the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *   setting the attitude anew brings it back.
+ * Truncation: no function is approximated; the method is of order 4 in the interval.
+ * Rounding: not bounded.
+ * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
+ */
+void runge_kutta_4_dcm_float64_update(runge_kutta_4_dcm_float64_state *state, const double omega[6]);
+
+/*
+ * Give the attitude quaternion. Type of values: double.
+ *
+ * q_nb: w, x, y, z; body to navigation. |q_nb| = 1 but for rounding and what the truncation of one
+ *   update adds.
+ */
+void runge_kutta_4_dcm_float64_quaternion(const runge_kutta_4_dcm_float64_state *state, double q_nb[4]);
+
+/*
+ * Give the direction cosine matrix. Type of values: double.
+ *
+ * c_nb: row major, v_n = C_nb v_b, as it is kept.
+ */
+void runge_kutta_4_dcm_float64_dcm(const runge_kutta_4_dcm_float64_state *state, double c_nb[9]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,141 @@
+"""Square root, arctangent, arcsine without a library: polynomials, a division or two, and selections.
+
+The polynomials are chosen for the number format (`Functions` of the routine's `Writing`); where none are chosen,
+in the real language, the functions are operations of their own. No step branches: a selection computes both sides.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from qcone.ir.blocks import Number, Scalar, number, sqrt
+from qcone.ir.builder import Builder
+from qcone.ir.operations import RealOp
+from qcone.ir.update import horner
+from qcone.ir.writing import Functions
+
+PI = Fraction(31415926535897932384626433832795028841971693993751, 10**49)
+"""Pi, nearer than any format needs."""
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A truth value of the routine; `select` takes it."""
+
+    builder: Builder
+    value: int
+
+
+def less(a: Scalar, b: Scalar | Number) -> Condition:
+    """Return a < b."""
+    other = b if isinstance(b, Scalar) else number(b, a)
+    return Condition(a.builder, a.builder.emit(RealOp.LESS, a.value, other.value))
+
+
+def select(condition: Condition, chosen: Scalar | Number, otherwise: Scalar | Number) -> Scalar:
+    """Return one of two scalars."""
+    like = chosen if isinstance(chosen, Scalar) else otherwise
+    assert isinstance(like, Scalar)
+    parts = [each if isinstance(each, Scalar) else number(each, like) for each in (chosen, otherwise)]
+    value = condition.builder.emit(RealOp.SELECT, condition.value, *(each.value for each in parts))
+    return Scalar(like.builder, (value,), like.builder.group("other", (value,), [each.group for each in parts]))
+
+
+def magnitude(a: Scalar) -> tuple[Condition, Scalar]:
+    """Return whether a < 0, and |a|."""
+    negative = less(a, 0)
+    return negative, select(negative, -a, a)
+
+
+def reciprocal_root(t: Scalar) -> Scalar:
+    """Return 1/sqrt(t) for 1 <= t <= 4: a polynomial and two Newton steps y (3 - t y^2)/2."""
+    if t.builder.writing.functions is None:
+        return 1 / sqrt(t)
+    y = horner(_chosen(t).reciprocal_root, t)
+    for _ in range(2):
+        y = y + Fraction(1, 2) * y * (1 - t * (y * y))
+    return y
+
+
+def square_root(x: Scalar) -> Scalar:
+    """Return sqrt(x) for 0 <= x < 1: x is brought to [1, 4) by powers of four, a selection each."""
+    scale: Scalar = number(Fraction(1, 2), x)
+    for power in _chosen(x).ladder:
+        small = less(x, Fraction(1, 4**power))
+        x = select(small, Fraction(4**power) * x, x)
+        scale = select(small, Fraction(1, 2**power) * scale, scale)
+    t = Fraction(4) * x
+    return t * reciprocal_root(t) * scale
+
+
+def arctangent_2(y: Scalar, x: Scalar) -> Scalar:
+    """Return atan2(y, x) in [-pi, pi]; 0 for x = y = 0.
+
+    The smaller over the larger magnitude lies in [0, 1]; above tan(pi/8) the angle is counted from pi/4, by
+    (a - b)/(a + b), so that the polynomial's argument stays below 0.4143: one division in all.
+    """
+    functions = x.builder.writing.functions
+    if functions is None:
+        return _operation(RealOp.ARCTANGENT_2, y, x)
+    y_negative, y_size = magnitude(y)
+    x_negative, x_size = magnitude(x)
+    steep = less(x_size, y_size)
+    small, large = select(steep, x_size, y_size), select(steep, y_size, x_size)
+    past = less(functions.eighth * large, small)
+    top = select(past, small - large, small)
+    bottom = select(past, small + large, large)
+    t = top / select(less(number(0, large), large), bottom, 1)
+    square = t * t
+    angle = t + t * (square * horner(functions.arctangent, square))
+    angle = select(past, PI / 4 + angle, angle)
+    angle = select(steep, PI / 2 - angle, angle)
+    angle = select(x_negative, PI - angle, angle)
+    return select(y_negative, -angle, angle)
+
+
+def arcsine(x: Scalar) -> Scalar:
+    """Return asin(x), x clamped to [-1, 1]: atan2(x, sqrt((1 - x)(1 + x)))."""
+    if x.builder.writing.functions is None:
+        return _operation(RealOp.ARCSINE, x)
+    x = select(less(x, -1), -1, x)
+    x = select(less(number(1, x), x), 1, x)
+    return arctangent_2(x, square_root_of_unit((1 - x) * (1 + x)))
+
+
+def sine_cosine(angle: Scalar) -> tuple[Scalar, Scalar]:
+    """Return (sin, cos) of an angle of at most 3 pi in size: folded to [0, pi/4], a polynomial each."""
+    functions = angle.builder.writing.functions
+    if functions is None:
+        return _operation(RealOp.SINE, angle), _operation(RealOp.COSINE, angle)
+    angle = select(less(number(PI, angle), angle), angle - 2 * PI, angle)
+    angle = select(less(angle, -PI), angle + 2 * PI, angle)
+    negative, size = magnitude(angle)
+    obtuse = less(number(PI / 2, size), size)
+    size = select(obtuse, PI - size, size)
+    steep = less(number(PI / 4, size), size)
+    t = select(steep, PI / 2 - size, size)
+    square = t * t
+    sine = t + t * (square * horner(functions.sine, square))
+    cosine = 1 + square * horner(functions.cosine, square)
+    up, along = select(steep, cosine, sine), select(steep, sine, cosine)
+    return select(negative, -up, up), select(obtuse, -along, along)
+
+
+def square_root_of_unit(x: Scalar) -> Scalar:
+    """Return sqrt(x) for 0 <= x <= 1."""
+    if x.builder.writing.functions is None:
+        return sqrt(x)
+    return Fraction(2) * square_root(Fraction(1, 4) * x)
+
+
+def _operation(op: RealOp, *arguments: Scalar) -> Scalar:
+    first = arguments[0]
+    value = first.builder.emit(op, *(each.value for each in arguments))
+    return Scalar(first.builder, (value,), first.builder.group("other", (value,), [each.group for each in arguments]))
+
+
+def _chosen(x: Scalar) -> Functions:
+    functions = x.builder.writing.functions
+    assert functions is not None, "this function is written out only where a number format has chosen its polynomials"
+    return functions
