@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from qcone.design import Design
 from qcone.errors import DesignError, Problem
+from qcone.formats.fixed import WIDTHS, Fixed
 from qcone.formats.floating import FLOATING, Floating
 from qcone.ir.specification import Algorithm
 
@@ -14,16 +15,22 @@ def problem(design: Design, code: str, what: str, why: str = "", hint: str = "")
     return DesignError([Problem(place, code, f"design '{design.name}': {what}", why, hint)])
 
 
-def number_of(design: Design) -> Floating:
-    """Return the design's number format. Raises DesignError for what this version does not build."""
-    number = FLOATING.get(design.number.format)
-    if number is None:
-        what = f'number.format = "{design.number.format}" is not available in this version'
-        raise problem(design, "QC201", what, "", f"use {' or '.join(FLOATING)}")
-    if design.input == "counts":
-        what = 'input = "counts" is not available in this version'
-        raise problem(design, "QC202", what, "", 'use input = "increment" or "rate"')
-    return number
+def number_of(design: Design) -> Floating | Fixed:
+    """Return the design's number format. Raises DesignError for what does not go with it."""
+    chosen = design.number
+    if chosen.format in FLOATING:
+        if design.input == "counts":
+            what = f'input = "counts" does not go with number.format = "{chosen.format}"'
+            why = "whole counts become increments in integers, the residue carried"
+            raise problem(design, "QC202", what, why, f"use {' or '.join(WIDTHS)}")
+        return FLOATING[chosen.format]
+    for key, given, other, why, hint in (
+        ("form", design.form, "as-written", "the paper's form is written for real numbers", 'set form = "factored"'),
+        ("loop", design.loop, "rolled", "every turn has formats of its own", 'set loop = "unrolled"'),
+    ):
+        if given == other:
+            raise problem(design, "QC201", f'{key} = "{other}" does not go with "{chosen.format}"', why, hint)
+    return Fixed(chosen.format, WIDTHS[chosen.format], chosen.rounding, chosen.overflow)
 
 
 def check_stages(design: Design, algorithm: Algorithm) -> None:

@@ -14,6 +14,7 @@ from qcone import state_routines as around
 from qcone.algorithms import increments
 from qcone.design import Design
 from qcone.errors import UsageError
+from qcone.formats.fixed import WIDTHS
 from qcone.ir import trace
 from qcone.ir.blocks import Vector, of
 from qcone.ir.builder import Builder
@@ -21,12 +22,17 @@ from qcone.ir.operations import RealOp
 from qcone.ir.specification import Algorithm, Author, Phase
 from qcone.ir.statement import Advance, Block, Choose, Place, Program, Role, Routine, Shape, Step
 from qcone.ir.writing import Functions, Series, Writing
+from qcone.passes import fixed_point
+from qcone.passes.exponential import Exponential
+from qcone.passes.magnitudes import Samples
 from qcone.passes.ranges import rotation_vector_bound
 
 Axes = tuple[tuple[int, int], ...]
 SAME_AXES: Axes = ((0, 1), (1, 1), (2, 1))
 PI_ABOVE = Fraction(314159265358980, 10**14)
 """A rational just above pi, for declared rates in deg/s."""
+ROOT_3_ABOVE = Fraction(173205081, 10**8)
+"""A rational just above the square root of 3."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +56,42 @@ def declaration(design: Design, algorithm: Algorithm) -> Declaration:
         increment = increments.gain(algorithm.subsamples, design.increments) * interval * rate
     else:
         increment = rate * interval / algorithm.subsamples
-    return Declaration(interval, rate, round_up(increment, 8))
+    if design.number.clamp_inputs:
+        # Each component is limited by itself: the corner of that cube is sqrt(3) away.
+        rate, increment = rate * ROOT_3_ABOVE, increment * ROOT_3_ABOVE
+    return Declaration(interval, round_up(rate, 8), round_up(increment, 8))
+
+
+def in_fixed_point(
+    design: Design, algorithm: Algorithm, known: Declaration, exponential: Exponential | None
+) -> fixed_point.Declaration:
+    """Return what fixed point may rely on: norms of what is handed in, its differences in time, the rotation vector."""
+    inputs = {
+        "dtheta": known.increment,
+        "previous": known.increment,
+        "omega": known.rate,
+        "omega_last": known.rate,
+    }
+    turn = exponential.phi_max if exponential else None
+    return fixed_point.Declaration(inputs, _samples(design, algorithm, known), turn)
+
+
+def _samples(design: Design, algorithm: Algorithm, known: Declaration) -> Samples:
+    """Return how far samples that follow one another may be apart: by the angular acceleration and jerk declared."""
+    n, rates = algorithm.subsamples, design.input == "rate"
+    spacing = known.interval / n
+    largest, name = (known.rate, "omega") if rates else (known.increment, "dtheta")
+    at = {(name, 3 * k + axis): (axis, k) for k in range(n) for axis in range(3)}
+    at |= {("omega_last", axis): (axis, -1) for axis in range(3)}
+    if not rates:
+        at |= {("previous", 3 * k + axis): (axis, -1 - k) for k in range(algorithm.previous) for axis in range(3)}
+    unit = spacing * (1 if rates else spacing)
+
+    def bound(declared: Fraction | None, scale: Fraction) -> Fraction | None:
+        return None if declared is None else round_up(declared * PI_ABOVE / 180 * scale, 8)
+
+    acceleration, jerk = design.imu.max_angular_acceleration_dps2, design.imu.max_jerk_dps3
+    return Samples(largest, bound(acceleration, unit), bound(jerk, unit * spacing), at)
 
 
 def round_up(value: Fraction, digits: int) -> Fraction:
@@ -110,10 +151,12 @@ def assemble(algorithm: Algorithm, design: Design, writing: Writing) -> Program:
 def writing_of(design: Design, series: Series | None, functions: Functions | None = None) -> Writing:
     """Return how the design wants the shorthand written out."""
     rolled = design.loop == "rolled"
+    fixed = design.number.format in WIDTHS
+    carry = fixed and design.number.accumulate == "compensated"
     if design.form == "as-written":
         return Writing("as-written", None, "standard", False, rolled, functions)
     accumulate = "standard" if design.number.accumulate == "standard" else "delta"
-    return Writing("factored", series, accumulate, design.renormalise == "every", rolled, functions)
+    return Writing("factored", series, accumulate, design.renormalise == "every", rolled, functions, fixed, carry)
 
 
 def _state(algorithm: Algorithm, design: Design) -> tuple[Block, ...]:

@@ -9,15 +9,30 @@ import os
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass
+from fractions import Fraction
 from pathlib import Path
 
 from qcone import __version__
+from qcone.backends.counts import Counts
 from qcone.backends.page import Driver
 from qcone.contract import FLAGS, GCC_FLAGS, INTERFACE, Facts, command, truncation
 from qcone.errors import CheckError, UsageError
-from qcone.ir.statement import Program
+from qcone.formats.floating import Floating
+from qcone.ir.statement import Program, Role
 
 MANIFEST = "manifest.json"
+
+
+@dataclass(frozen=True)
+class Lowered:
+    """A program in machine operations. In fixed point `machine` is in integers, and `macs` what that was expanded from.
+
+    `spread` is how far the length of the attitude can be from 1, there.
+    """
+
+    machine: Program
+    macs: Program | None = None
+    spread: Fraction | None = None
 
 
 @dataclass(frozen=True)
@@ -25,7 +40,8 @@ class Bundle:
     """A design, its programs in both languages, and its C.
 
     `written` is the program as its author wrote it, `machine` what is emitted; `header`, `source`, `run` and
-    `main` are texts; `driver` says how the batch loop lays out its rows.
+    `main` are texts; `driver` says how the batch loop lays out its rows; `macs` is what a fixed-point `machine` was
+    expanded from.
     """
 
     facts: Facts
@@ -36,11 +52,17 @@ class Bundle:
     run: str
     main: str
     driver: Driver
+    macs: Program | None = None
 
     @property
     def name(self) -> str:
         """Return the design's name, which is the name of its folder, files and functions."""
         return self.facts.design.name
+
+    @property
+    def driver_input(self) -> str:
+        """Return the name of what an update is handed."""
+        return self.machine.routine("update").having(Role.INPUT)[0].name
 
     @property
     def files(self) -> Mapping[str, str]:
@@ -105,13 +127,21 @@ def with_manifest(bundle: Bundle) -> Mapping[str, str]:
         "truncation": truncation(facts),
         "rounding": "not bounded",
         "counts": {
-            routine: {level: asdict(counts) for level, counts in levels.items()}
+            routine: {level: _counts(counts, facts) for level, counts in levels.items()}
             for routine, levels in facts.counts.items()
         },
         "files": {path: digest(text) for path, text in bundle.files.items()},
     }
     manifest["manifest"] = digest(json.dumps(manifest, indent=2))
     return {**bundle.files, MANIFEST: json.dumps(manifest, indent=2) + "\n"}
+
+
+def _counts(counts: Counts, facts: Facts) -> dict[str, int]:
+    """Return the counts that apply: only integers are shifted."""
+    found = asdict(counts)
+    if isinstance(facts.number, Floating):
+        del found["shift"]
+    return found
 
 
 def digest(text: str) -> str:

@@ -12,7 +12,8 @@ from qcone.assembly import Declaration
 from qcone.backends.counts import Counts
 from qcone.backends.page import Macro
 from qcone.design import Design
-from qcone.formats.floating import Floating
+from qcone.formats.fixed import Fixed
+from qcone.formats.floating import FLOAT64, Floating
 from qcone.ir.specification import Algorithm
 from qcone.ir.statement import Routine
 from qcone.passes.exponential import Exponential
@@ -34,18 +35,38 @@ ANY_MACHINE = (
 )
 
 
+ARGUMENTS = {
+    "dtheta": "DTHETA",
+    "omega": "OMEGA",
+    "q_nb": "Q",
+    "c_nb": "C",
+    "rpy": "RPY",
+    "angles": "RPY",
+    "e": "E",
+}
+"""What an argument is called in the macro of its fraction bits."""
+
+
+EVERYWHERE = (
+    "Integer arithmetic of C99 alone, without undefined and without implementation-defined results: the bits are the "
+    "same on every conforming compiler and processor, whatever its flags."
+)
+
+
 @dataclass(frozen=True)
 class Facts:
     """What is known of a design when its files are written."""
 
     design: Design
     algorithm: Algorithm
-    number: Floating
+    number: Floating | Fixed
     known: Declaration
     exponential: Exponential | None
     digest: str
     counts: dict[str, dict[str, Counts]]
     """Counts by routine, then by level: as-written, shared, emitted."""
+    spread: Fraction | None = None
+    """In fixed point: how far the length of the attitude can be from 1."""
 
 
 def command(design: Design) -> str:
@@ -57,6 +78,7 @@ def banner(facts: Facts) -> tuple[str, ...]:
     """Return the lines of the comment that opens both files."""
     design, algorithm = facts.design, facts.algorithm
     caution = caution_of(design)
+    fixed = isinstance(facts.number, Fixed)
     lines = [
         f"qcone {__version__}, design {design.name}, SHA-256 of the design",
         facts.digest,
@@ -64,24 +86,41 @@ def banner(facts: Facts) -> tuple[str, ...]:
         *_item("algorithm", f"{algorithm.name}, form {design.form}, {_accumulation(facts)}"),
         *_item("source", _source(algorithm)),
         *(_item("equation", algorithm.summary) if algorithm.summary else []),
-        *_item("number", f"{facts.number.name}, every operation rounded once"),
-        *_item("flags", f"{FLAGS}; with gcc, where the target has vector FMA, also {GCC_FLAGS}"),
+        *_item("number", _number(facts)),
+        *_item("flags", _flags(facts)),
         "",
         *_item("range", _range(facts)),
         *_item("truncation", truncation(facts)),
         *_item("rounding", "not bounded"),
         *(_item("caution", caution) if caution else []),
         "",
-        "operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select",
+        f"operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select{'  shift' * fixed}",
     ]
     for routine, levels in facts.counts.items():
         for level, counts in levels.items():
             lines.append(
                 f"{routine + ' ' + level:<18}{counts.multiply:>8}{counts.power_of_two:>8}{counts.add:>5}"
                 f"{counts.subtract:>10}{counts.negate:>8}{counts.divide:>8}{counts.square_root:>6}{counts.trigonometric:>6}"
-                f"{counts.compare:>6}{counts.select:>8}"
+                f"{counts.compare:>6}{counts.select:>8}" + (f"{counts.shift:>7}" if fixed else "")
             )
-    return (*lines, "", *textwrap.wrap(ANY_MACHINE, WIDTH))
+    return (*lines, "", *textwrap.wrap(EVERYWHERE if fixed else ANY_MACHINE, WIDTH))
+
+
+def _number(facts: Facts) -> str:
+    number = facts.number
+    if isinstance(number, Floating):
+        return f"{number.name}, every operation rounded once"
+    rounding = {"up": "to nearest, halves up", "even": "to nearest, halves to even", "floor": "down"}[number.rounding]
+    return (
+        f"{number.name}: words of {number.width} bits, sums in {number.wide}; every sum of products rounded once, "
+        f"{rounding}; formats and bounds stand beside every line: F fraction bits, value = raw * 2^-F"
+    )
+
+
+def _flags(facts: Facts) -> str:
+    if isinstance(facts.number, Fixed):
+        return "-std=c99; no other flag matters"
+    return f"{FLAGS}; with gcc, where the target has vector FMA, also {GCC_FLAGS}"
 
 
 def _item(title: str, text: str) -> list[str]:
@@ -128,7 +167,22 @@ def _range(facts: Facts) -> str:
     )
     if facts.exponential:
         text += f"; |phi| <= {_digits(facts.exponential.phi_max)} rad"
-    return text + f"; {BEYOND}"
+    if facts.spread is not None and facts.algorithm.state != "euler":
+        text += f"; | |q| - 1 | <= {_digits(facts.spread, 3)} always, proved"
+    return text + f"; {_beyond(facts)}"
+
+
+def _beyond(facts: Facts) -> str:
+    """Say what happens to inputs beyond the declared range."""
+    if isinstance(facts.number, Floating):
+        return BEYOND
+    if facts.design.number.clamp_inputs:
+        return "each component of an input beyond it is clamped to it"
+    return {
+        "prove": "within it no sum overflows, as is proved; beyond it nothing is promised: clamp inputs that can be so large",
+        "saturate": "beyond it results are clamped to their words, and accuracy is lost",
+        "wrap": "beyond it results wrap around, and accuracy is lost",
+    }[facts.number.overflow]
 
 
 def truncation(facts: Facts) -> str:
@@ -160,11 +214,17 @@ def _decimal(value: Fraction) -> str:
     return f"{digits.normalize():f}" if Fraction(digits) == value else f"{float(value):.17g}"
 
 
-def macros(facts: Facts, initialiser: str) -> tuple[Macro, ...]:
-    """Return the macros of the header."""
+def macros(facts: Facts, initialiser: str, bits: tuple[tuple[str, int], ...] = ()) -> tuple[Macro, ...]:
+    """Return the macros of the header; `bits` are the fraction bits of the arguments of fixed point."""
     name = facts.design.name.upper()
-    interval = facts.number.literal(facts.number.round(facts.known.interval))
+    number = facts.number if isinstance(facts.number, Floating) else FLOAT64
+    interval = number.literal(number.round(facts.known.interval))
+    places = {ARGUMENTS[block]: fraction for block, fraction in bits if block in ARGUMENTS}
     return (
+        *(
+            Macro(f"{name}_{argument}_FRACTION_BITS", str(fraction), f"{argument.lower()}: value = raw * 2^-{fraction}.")
+            for argument, fraction in places.items()
+        ),
         Macro(f"{name}_VERSION", str(INTERFACE), "Interface of the emitted code; companions check it."),
         Macro(f"{name}_SUBSAMPLES", str(facts.algorithm.subsamples), "Samples handed to one update."),
         Macro(f"{name}_INTERVAL_S", interval, "Time of one update in seconds."),
@@ -213,7 +273,7 @@ def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
         bound = facts.known.rate if rates else facts.known.increment
         lines = [
             f"{given}: {n} x 3 values, {given}[3*k + axis], sub-sample k = 0 first; {unit}; sensor axes.",
-            f"Range: norm of each at most {_digits(bound)}; {BEYOND}.",
+            f"Range: norm of each at most {_digits(bound)}; {_beyond(facts)}.",
             f"Truncation: {truncation(facts)}.",
             "Rounding: not bounded.",
         ]

@@ -14,26 +14,25 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from qcone import contract
 from qcone.admission import check_stages, number_of, problem
-from qcone.assembly import assemble, declaration, rotation_bound, writing_of
-from qcone.backends import page as pages
-from qcone.backends.c_source import functions
-from qcone.backends.c_state import state_fields, state_initialiser
+from qcone.assembly import assemble, declaration, in_fixed_point, rotation_bound, writing_of
 from qcone.backends.counts import Counts, count
-from qcone.bundle import Bundle
+from qcone.bundle import Bundle, Lowered
 from qcone.contract import Facts
 from qcone.design import Design
 from qcone.errors import CheckError, DesignError, Problem, UsageError
+from qcone.formats.fixed import Fixed
 from qcone.formats.floating import Floating
 from qcone.ir.check import check_program
 from qcone.ir.evaluate import agree
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.specification import Algorithm
-from qcone.ir.statement import Loop, Operation, Program, Role, Routine, Shape, reachable, walk
+from qcone.ir.statement import Program, Routine
 from qcone.passes.compensate import compensate
 from qcone.passes.exponential import Exponential, choose
+from qcone.passes.fixed_point import Declaration as Declared
+from qcone.passes.fixed_point import to_fixed
 from qcone.passes.fold import fold
 from qcone.passes.functions import choose_functions
 from qcone.passes.lower_float import lower_program
@@ -42,9 +41,8 @@ from qcone.passes.share import share
 from qcone.passes.signs import signs
 from qcone.passes.sweep import sweep
 from qcone.passes.zeros import zeros
+from qcone.printing import emit
 from qcone.registry import algorithm_of, digest_of
-from qcone.state_routines import SETTERS
-from qcone.targets.probe import contraction_probe
 
 EXACT: tuple[Callable[[Routine], Routine], ...] = (fold, share, zeros, sweep, signs, sweep)
 RESERVED = ("state", "result")
@@ -60,15 +58,15 @@ def build(design: Design) -> Bundle:
     exponential = choose_exponential(design, algorithm, number)
     written = write(design, algorithm, exponential)
     ready = prepare(written, design)
-    machine = lower(ready, number)
-    counts = levels(written, ready, machine)
     known = declaration(design, algorithm)
-    facts = Facts(design, algorithm, number, known, exponential, digest_of(design), counts)
+    lowered = lower(ready, design, number, in_fixed_point(design, algorithm, known, exponential))
+    counts = levels(written, ready, lowered.machine)
+    facts = Facts(design, algorithm, number, known, exponential, digest_of(design), counts, lowered.spread)
     _within_budget(facts)
-    return _print(facts, written, machine)
+    return emit(facts, written, lowered)
 
 
-def choose_exponential(design: Design, algorithm: Algorithm, number: Floating) -> Exponential | None:
+def choose_exponential(design: Design, algorithm: Algorithm, number: Floating | Fixed) -> Exponential | None:
     """Return the polynomials of exp for the declared range; None where the algorithm takes no exp."""
     phi_max = rotation_bound(algorithm, design)
     if phi_max is None:
@@ -98,7 +96,7 @@ def write(design: Design, algorithm: Algorithm, exponential: Exponential | None)
 
 def prepare(program: Program, design: Design) -> Program:
     """Apply the exact passes: no bit of any result can change."""
-    if design.form == "factored" and design.number.accumulate == "compensated":
+    if isinstance(number_of(design), Floating) and design.number.accumulate == "compensated":
         program = check_program(compensate(program), RealOp)
     for each in EXACT:
         program = replace(program, routines=tuple(map(each, program.routines)))
@@ -106,9 +104,20 @@ def prepare(program: Program, design: Design) -> Program:
     return program
 
 
-def lower(program: Program, number: Floating) -> Program:
-    """Type every value and give it a name."""
-    machine = check_program(lower_program(program, number), MachineOp)
+def lower(program: Program, design: Design, number: Floating | Fixed, declared: Declared) -> Lowered:
+    """Type every value and give it a name; fixed point by way of sums of products, with formats that are proved."""
+    if isinstance(number, Floating):
+        return Lowered(_named(lower_program(program, number)))
+    try:
+        fixed = to_fixed(program, number, declared, design.number.accumulate == "compensated")
+    except UsageError as error:
+        hint = "raise update_hz, lower max_rate_dps, or choose a wider format"
+        raise problem(design, "QC211", str(error), "", hint) from error
+    return Lowered(_named(fixed.integers), check_program(fixed.macs, MachineOp), fixed.spread)
+
+
+def _named(machine: Program) -> Program:
+    check_program(machine, MachineOp)
     named = tuple(name_values(routine, RESERVED) for routine in machine.routines)
     return check_program(replace(machine, routines=named), MachineOp)
 
@@ -142,78 +151,6 @@ def _within_budget(facts: Facts) -> None:
             f"design '{facts.design.name}': an update takes {' and '.join(over)}: choose a cheaper algorithm or raise "
             "the budget"
         )
-
-
-def _print(facts: Facts, written: Program, machine: Program) -> Bundle:
-    number, name = facts.number, machine.name
-    documented = tuple(
-        pages.Documented(
-            each.signature,
-            each.body,
-            each.internal,
-            () if each.internal else contract.of_routine(machine.routine(each.routine), facts),
-        )
-        for each in functions(machine, number)
-    )
-    page = pages.Page(
-        name=name,
-        command=contract.command(facts.design),
-        license=facts.design.license,
-        facts=contract.banner(facts),
-        macros=contract.macros(facts, state_initialiser(machine, number)),
-        fields=tuple(pages.Field(*each) for each in state_fields(machine, number)),
-        functions=documented,
-        integers=any(block.integer for block in machine.state) or _has_integers(machine),
-        significand="FLT_MANT_DIG" if number.ctype == "float" else "DBL_MANT_DIG",
-        digits=number.precision,
-        interface=contract.INTERFACE,
-    )
-    driver = _driver(machine, number)
-    header, source = pages.header(page), pages.source(page)
-    return Bundle(
-        facts,
-        written,
-        machine,
-        header,
-        source,
-        pages.driver(driver, page),
-        pages.vectors_main(driver),
-        driver,
-    )
-
-
-def _has_integers(machine: Program) -> bool:
-    """Tell whether a routine counts in a loop or compares."""
-    every = (each for routine in machine.routines for each in (routine, *reachable(routine)))
-    return any(
-        isinstance(each, Loop) or (isinstance(each, Operation) and each.op is MachineOp.LESS)
-        for routine in every
-        for each in walk(routine.body)
-    )
-
-
-def _driver(machine: Program, number: Floating) -> pages.Driver:
-    words: list[str] = []
-    for block in machine.state:
-        cast = f"({number.ctype})" if block.integer else ""
-        single = block.shape is Shape.SCALAR and block.count == 1
-        words += [f"{cast}state.{block.name}{'' if single else f'[{k}]'}" for k in range(block.size)]
-    given = machine.routine("update").having(Role.INPUT)[0]
-    setter = next(routine for routine in machine.routines if routine.name in SETTERS.values())
-    reports = [(each.name, each.having(Role.OUTPUT)) for each in machine.routines if each.having(Role.OUTPUT)]
-    outputs = tuple((name, blocks[0].size) for name, blocks in reports)
-    return pages.Driver(
-        name=machine.name,
-        ctype=number.ctype,
-        input_size=given.size,
-        has_start=machine.has("start"),
-        setter=setter.name,
-        attitude_size=setter.having(Role.INPUT)[0].size,
-        outputs=outputs,
-        state_words=tuple(words),
-        word_count=len(words) + sum(size for _, size in outputs),
-        probe=contraction_probe(f"{machine.name}_contracts"),
-    )
 
 
 def build_all(designs: Iterable[Design]) -> tuple[Bundle, ...]:

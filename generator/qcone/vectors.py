@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from qcone.backends.bittrue import dtype_of
 from qcone.bundle import Bundle
-from qcone.ir.statement import Role
+from qcone.ir.statement import Block, Role
+from qcone.words import to_words
 
 GO_ON, INIT, SET = 0, 1, 2
 LANES = 256
@@ -46,13 +47,34 @@ def draw(bundle: Bundle, rows: int, seed: int = 1) -> Vectors:
     lanes = min(LANES, max(1, rows // 4))
     steps = -(-rows // lanes)
     generator = np.random.default_rng(seed)
-    dtype = dtype_of(bundle.facts.number)
     block = bundle.machine.routine("update").having(Role.INPUT)[0]
+    setting = bundle.machine.routine(bundle.driver.setter).having(Role.INPUT)[0]
     radius = float(block.norm or 1)
-    inputs = _samples(generator, (lanes, steps, block.count), radius, dtype).reshape(lanes, steps, block.size)
-    before = _samples(generator, (lanes, steps), radius, dtype)
-    attitudes = in_form(_attitudes(generator, (lanes, steps)), bundle.driver.setter).astype(dtype)
-    return Vectors(_restarts(generator, lanes, steps), attitudes, before, inputs)
+    kind = dtype_of(bundle.facts.number) if block.format is None else np.float64
+    inputs = _samples(generator, (lanes, steps, block.count), radius, kind).reshape(lanes, steps, block.size)
+    before = _samples(generator, (lanes, steps), radius, kind)
+    attitudes = in_form(_attitudes(generator, (lanes, steps)), bundle.driver.setter)
+    return Vectors(
+        _restarts(generator, lanes, steps),
+        to_words(bundle, setting.name, attitudes),
+        _inside(to_words(bundle, block.name, before), block),
+        _inside(to_words(bundle, block.name, inputs, bundle.driver.input_ctype), block),
+    )
+
+
+def _inside(words: NDArray[Any], block: Block) -> NDArray[Any]:
+    """Bring fixed-point words back that rounding took outside the declared range by more than it allows.
+
+    A norm may exceed the declared one by a last bit. A vector on the surface, rounded, may by the root of three halves
+    of one; then its components are cut by a last bit.
+    """
+    if block.format is None or block.norm is None:
+        return words
+    largest = float(block.norm / block.format.lsb) + 1
+    entries = words.reshape(*words.shape[:-1], -1, 3).astype(np.float64)
+    over = np.sqrt((entries**2).sum(axis=-1, keepdims=True)) > largest
+    cut = np.where(over, entries - np.sign(entries), entries)
+    return cut.reshape(words.shape).astype(words.dtype)
 
 
 def in_form(q: NDArray[Any], setter: str, convention: str = "zyx") -> NDArray[Any]:

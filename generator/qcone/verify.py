@@ -20,12 +20,13 @@ from qcone.backends.expected import differences
 from qcone.backends.text_counts import count_text
 from qcone.bundle import Bundle, Evidence, VerifiedBundle
 from qcone.errors import CheckError
-from qcone.ir.statement import Role
+from qcone.ir.statement import Program, Role
 from qcone.targets.build import CompileError, build_shared
 from qcone.targets.compiler import LEVELS, Compiler, absent, compilers, first_compiler
 from qcone.targets.host import Library
 from qcone.targets.sanitize import run_sanitized
 from qcone.vectors import INIT, SET, Vectors, draw
+from qcone.words import TYPES
 
 ACCEPT_ROWS = 2000
 SANITIZED_LEVEL = "-O1"
@@ -109,10 +110,19 @@ def _build_ahead(bundle: Bundle, work: Iterable[tuple[Compiler, str]], cflags: S
 
 def model_words(bundle: Bundle, vectors: Vectors) -> NDArray[Any]:
     """Run the bit-true model; return (lanes, steps, words): the state, then every output, after each update."""
+    if bundle.macs is None:
+        return _run_model(bundle, bundle.machine, vectors)
+    words, summed = (_run_model(bundle, program, vectors) for program in (bundle.machine, bundle.macs))
+    if not np.array_equal(words, summed):
+        raise CheckError(f"{bundle.name}: the integer operations do not give what their sums of products give")
+    return words
+
+
+def _run_model(bundle: Bundle, program: Program, vectors: Vectors) -> NDArray[Any]:
     number = bundle.facts.number
-    model = Model(bundle.machine, number)
+    model = Model(program, number)
     lanes, steps = vectors.restart.shape
-    state = new_state(bundle.machine, number, lanes)
+    state = new_state(program, number, lanes)
     words = np.empty((steps, bundle.driver.word_count, lanes), dtype_of(number))
     given = bundle.machine.routine("update").having(Role.INPUT)[0].name
     with np.errstate(all="ignore"):
@@ -140,7 +150,7 @@ def _restart(model: Model, bundle: Bundle, state: State, vectors: Vectors, step:
 
 def c_words(bundle: Bundle, library: Library, vectors: Vectors) -> tuple[NDArray[Any], bool]:
     """Run the compiled C on the vectors; return the same words, and whether the build contracts."""
-    words = np.zeros((*vectors.restart.shape, bundle.driver.word_count), vectors.inputs.dtype)
+    words = np.zeros((*vectors.restart.shape, bundle.driver.word_count), TYPES[bundle.driver.word_ctype])
     contracted = np.zeros(1, np.int32)
     arrays = [vectors.restart, vectors.attitude, vectors.before, vectors.inputs, words, contracted]
     library.run(f"{bundle.name}_run", vectors.rows, *arrays)
@@ -149,10 +159,11 @@ def c_words(bundle: Bundle, library: Library, vectors: Vectors) -> tuple[NDArray
 
 def declaration(bundle: Bundle) -> str:
     """Return the C declaration of the batch loop."""
-    ctype = bundle.driver.ctype
+    driver = bundle.driver
     return (
-        f"void {bundle.name}_run(int32_t rows, const int32_t *restart, const {ctype} *attitude, const {ctype} *before, "
-        f"const {ctype} *input, {ctype} *words, int32_t *contracted);"
+        f"void {bundle.name}_run(int32_t rows, const int32_t *restart, const {driver.ctype} *attitude, "
+        f"const {driver.ctype} *before, const {driver.input_ctype} *input, {driver.word_ctype} *words, "
+        "int32_t *contracted);"
     )
 
 
@@ -185,7 +196,7 @@ def _named(compiler: Compiler) -> str:
 
 
 def differing_bits(words: NDArray[Any], expected: NDArray[Any]) -> int:
-    """Count the bits in which two arrays of the same float type differ."""
+    """Count the bits in which two arrays of the same type differ."""
     kind = np.uint32 if words.dtype == np.float32 else np.uint64
     both_nan = np.isnan(words) & np.isnan(expected)  # the payload and sign of a NaN are unspecified
     return int(np.where(both_nan, 0, np.bitwise_count(words.view(kind) ^ expected.view(kind))).sum())
@@ -193,7 +204,8 @@ def differing_bits(words: NDArray[Any], expected: NDArray[Any]) -> int:
 
 def word_names(bundle: Bundle) -> list[str]:
     """Return what each word of a row is."""
-    names = [word.replace(f"({bundle.driver.ctype})", "").removeprefix("state.") for word in bundle.driver.state_words]
+    cast = f"({bundle.driver.word_ctype})"
+    names = [word.replace(cast, "").removeprefix("state.") for word in bundle.driver.state_words]
     return names + [f"{name} {k}" for name, size in bundle.driver.outputs for k in range(size)]
 
 
@@ -206,12 +218,17 @@ def describe_first(bundle: Bundle, vectors: Vectors, words: NDArray[Any], expect
     lane, step = int(lanes[at]), int(steps[at])
     word = int(np.argmax(different[lane, step]))
     state: Sequence[float] = list(expected[lane, step - 1, : len(bundle.driver.state_words)]) if step else []
-    operands = ", ".join(float(value).hex() for value in vectors.inputs[lane, step])
-    before = ", ".join(float(value).hex() for value in state)
+    operands = ", ".join(map(_shown, vectors.inputs[lane, step]))
+    before = ", ".join(map(_shown, state))
     return (
-        f"lane {lane}, step {step}, {word_names(bundle)[word]}: C {float(words[lane, step, word]).hex()}, model "
-        f"{float(expected[lane, step, word]).hex()}; input {operands}; state before {before or 'a restart'}"
+        f"lane {lane}, step {step}, {word_names(bundle)[word]}: C {_shown(words[lane, step, word])}, model "
+        f"{_shown(expected[lane, step, word])}; input {operands}; state before {before or 'a restart'}"
     )
+
+
+def _shown(word: Any) -> str:
+    """Return a word as it is compared: the bits of a float, the raw integer of fixed point."""
+    return str(int(word)) if isinstance(word, np.integer) else float(word).hex()
 
 
 def _sanitized(

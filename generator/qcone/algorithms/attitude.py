@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from qcone.ir.real import F, Matrix, Quaternion, cross, dot, matrix, named, step
+from qcone.ir.real import F, Matrix, Quaternion, cross, dot, matrix, named, shortened, square_of_length, step
 
 
 def dcm_squares(q: Quaternion) -> Matrix:
@@ -44,7 +44,9 @@ def dcm(q: Quaternion) -> Matrix:
         yz + wx,
         1 - (xx + yy),
     ]
-    return step("c_nb = C_nb(q)", "cao (15)", matrix(rows))
+    c = step("c_nb = C_nb(q)", "cao (15)", matrix(rows))
+    c.builder.group("matrix", c.values, (q.group,))
+    return c
 
 
 def orthonormalised(c: Matrix) -> Matrix:
@@ -53,15 +55,14 @@ def orthonormalised(c: Matrix) -> Matrix:
     e_a = step("e_a = (1 - |a|^2)/2", "", F(1, 2) * (1 - dot(a, a)))
     e_b = step("e_b = (1 - |b|^2)/2", "", F(1, 2) * (1 - dot(b, b)))
     e_ab = step("e_ab = a . b", "", dot(a, b))
-    top = step("a_next = a + e_a a", "", a + e_a * a)
-    middle = step("b_next = b + e_b b - e_ab a", "", b + e_b * b - e_ab * a)
+    top = shortened(a, step("a_next = a + e_a a", "", a + e_a * a))
+    middle = shortened(b, step("b_next = b + e_b b - e_ab a", "", b + e_b * b - e_ab * a), crossed=True)
     bottom = step("c_next = a_next x b_next", "", cross(top, middle))
     return matrix([*top, *middle, *bottom])
 
 
 def normalised(q: Quaternion) -> Quaternion:
     """Write q (3 - |q|^2)/2 as q + e q, e = (1 - |q|^2)/2: one Newton step, no root, no division."""
-    w, x, y, z = q
-    square = step("q_square = |q|^2", "", w * w + x * x + y * y + z * z)
+    square = step("q_square = |q|^2", "", square_of_length(q))
     e = step("e = (1 - |q|^2)/2", "", F(1, 2) * (1 - square))
-    return step("q_next = q + e q", "", q + e * q)
+    return shortened(q, step("q_next = q + e q", "", q + e * q))

@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qcone.backends import bittrue_fixed
+from qcone.formats.fixed import Fixed
 from qcone.formats.floating import Floating
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import (
@@ -32,7 +34,13 @@ Array = NDArray[Any]
 State = dict[str, Array]
 """Component arrays by block name, shape (components, lanes)."""
 
-DTYPES: Mapping[str, Any] = {"float32": np.float32, "float64": np.float64}
+DTYPES: Mapping[str, Any] = {
+    "float32": np.float32,
+    "float64": np.float64,
+    "fixed32": np.int64,
+    "fixed16": np.int64,
+}
+"""Fixed point is run in 64 bits: every word and every sum was shown to fit."""
 COUNTER = np.int32
 ARITHMETIC: Mapping[object, Callable[..., Array]] = {
     MachineOp.ADD: np.add,
@@ -42,15 +50,16 @@ ARITHMETIC: Mapping[object, Callable[..., Array]] = {
     MachineOp.NEGATE: np.negative,
     MachineOp.LESS: np.less,
     MachineOp.SELECT: np.where,
+    MachineOp.NARROW: np.positive,
 }
 
 
-def dtype_of(number: Floating) -> Any:
+def dtype_of(number: Floating | Fixed) -> Any:
     """Return the NumPy type of a format."""
     return DTYPES[number.name]
 
 
-def new_state(program: Program, number: Floating, lanes: int) -> State:
+def new_state(program: Program, number: Floating | Fixed, lanes: int) -> State:
     """Return the state of `lanes` independent runs, all zero; `init` or `set_quaternion` must follow."""
     return {
         block.name: np.zeros((block.size, lanes), COUNTER if block.integer else dtype_of(number))
@@ -65,7 +74,7 @@ class Model:
     changes the state in place and returns the output blocks. With `watch`, the named values too.
     """
 
-    def __init__(self, program: Program, number: Floating) -> None:
+    def __init__(self, program: Program, number: Floating | Fixed) -> None:
         """Prepare the program's routines."""
         self.program, self.number = program, number
         self._dtype = dtype_of(number)
@@ -119,7 +128,8 @@ def _run(
         if block.role is Role.STATE:
             memory[block.name] = state[block.name]
         elif block.role is Role.INPUT:
-            memory[block.name] = inputs[block.name]
+            given = inputs[block.name]
+            memory[block.name] = given.astype(np.int64) if dtype is np.int64 else given
         elif block.role is Role.TABLE:
             memory[block.name] = np.array([[dtype(entry)] for entry in map(float, block.entries)], dtype)
         else:
@@ -140,13 +150,16 @@ def _body(
     dtype: Any,
     lanes: int,
 ) -> None:
+    kept: list[tuple[str, int, Array]] = []
     for statement in body:
         match statement:
             case Operation(result, op, args, constant, place):
-                if op in ARITHMETIC:
+                if op in bittrue_fixed.OPERATIONS and (op is not MachineOp.DIVIDE or dtype is np.int64):
+                    values[result] = bittrue_fixed.run(statement, values, memory, kept)
+                elif op in ARITHMETIC:
                     values[result] = ARITHMETIC[op](*[values[arg] for arg in args])
                 elif constant is not None:
-                    values[result] = dtype(float(constant))
+                    values[result] = bittrue_fixed.raw(statement) if dtype is np.int64 else dtype(float(constant))
                 elif place is not None:
                     array = memory[place.block][place.index.at(counters)]
                     values[result] = array.copy() if routine.block(place.block).role is not Role.INPUT else array
@@ -161,6 +174,8 @@ def _body(
                 memory[place.block][place.index.at(counters)] += COUNTER(1)
             case Choose() | Ready():
                 raise AssertionError("a choice stands alone in its routine")
+    for name, component, left in kept:
+        memory[name][component] = left
 
 
 def _call(call: Call, routine: Routine, values: dict[int, Any], dtype: Any, lanes: int) -> None:

@@ -7,7 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from qcone.backends.c_state import field
+from qcone.backends import c_fixed
+from qcone.backends.c_state import field, type_of
+from qcone.formats.fixed import Fixed, Signal
 from qcone.formats.floating import Floating
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import (
@@ -54,7 +56,7 @@ class UnprintableError(Exception):
     """An operation that no pass has lowered to the machine language."""
 
 
-def functions(program: Program, number: Floating) -> tuple[Function, ...]:
+def functions(program: Program, number: Floating | Fixed) -> tuple[Function, ...]:
     """Return every function of the program, callees before their callers."""
     done: dict[str, Function] = {}
     for routine in program.routines:
@@ -76,13 +78,13 @@ def parameters(routine: Routine) -> tuple[Block, ...]:
     return (*routine.having(Role.INPUT), *routine.having(Role.OUTPUT))
 
 
-def _function(routine: Routine, program: Program, number: Floating) -> Function:
+def _function(routine: Routine, program: Program, number: Floating | Fixed) -> Function:
     arguments = []
     if routine.having(Role.STATE):
         arguments.append(f"{'' if writes_state(routine) else 'const '}{program.name}_state *state")
     for block in parameters(routine):
         const = "const " if block.role is Role.INPUT else ""
-        arguments.append(f"{const}{number.ctype} {block.name}[{block.size}]")
+        arguments.append(f"{const}{type_of(block, number)} {block.name}[{block.size}]")
     name = f"{program.name}_{routine.name}"
     internal = routine.name in INTERNAL
     gives = "int" if any(isinstance(each, Ready) for each in routine.body) else "void"
@@ -90,7 +92,7 @@ def _function(routine: Routine, program: Program, number: Floating) -> Function:
     return Function(routine.name, signature, tuple(_Printer(routine, program, number).lines()), internal)
 
 
-def _scalar_function(routine: Routine, program: Program, number: Floating) -> Function:
+def _scalar_function(routine: Routine, program: Program, number: Floating | Fixed) -> Function:
     """Print a callee: scalars in by value, results out through one array."""
     names = [f"const {number.ctype} {part}" for block in routine.having(Role.INPUT) for part in components(block)]
     size = sum(block.size for block in routine.having(Role.OUTPUT))
@@ -144,18 +146,24 @@ def writes_state(routine: Routine) -> bool:
     return False
 
 
-def literal(constant: Fraction, exact: Fraction | None, number: Floating) -> str:
+def literal(
+    constant: Fraction, exact: Fraction | None, number: Floating | Fixed, signal: Signal | None = None
+) -> str:
     """Return a literal, with the rational it was rounded from beside it.
 
     Not beside a multiple of 1/8, nor where the rational is that of an irrational number such as pi.
     """
+    if signal is not None:
+        text = c_fixed.literal(constant, signal)
+        return text if exact is None or not exact or exact.denominator > MOST_DENOMINATOR else f"{text} /* {exact} */"
+    assert isinstance(number, Floating)
     text = number.literal(constant)
     plain = exact is None or 8 % exact.denominator == 0 or exact.denominator > MOST_DENOMINATOR
     return text if plain else f"{text} /* {exact} */"
 
 
 class _Printer:
-    def __init__(self, routine: Routine, program: Program, number: Floating, scalar: bool = False) -> None:
+    def __init__(self, routine: Routine, program: Program, number: Floating | Fixed, scalar: bool = False) -> None:
         self.routine, self.program, self.number, self.scalar = routine, program, number, scalar
         literals = [
             (each, each.constant)
@@ -163,7 +171,13 @@ class _Printer:
             if isinstance(each, Operation) and each.op is MachineOp.LITERAL and each.constant is not None
         ]
         self.constants = {each.result: constant for each, constant in literals}
-        self.literals = {each.result: literal(constant, each.exact, number) for each, constant in literals}
+        self.literals = {
+            each.result: literal(
+                constant, each.exact, number, each.format if isinstance(each.format, Signal) else None
+            )
+            for each, constant in literals
+        }
+        self.integers = c_fixed.IntegerText(routine)
         self.shown: int | None = None
 
     def lines(self) -> Iterator[str]:
@@ -219,7 +233,9 @@ class _Printer:
         match statement:
             case Operation(result, op, args, _, place):
                 name = self.routine.names[result]
-                if op in SIGNS:
+                if isinstance(statement.format, Signal):
+                    yield f"const {statement.format.ctype} {name} = {self._integer(statement)};{c_fixed.remark(statement)}"
+                elif op in SIGNS:
                     yield f"const {ctype} {name} = {self._use(args[0])} {SIGNS[op]} {self._use(args[1])};"
                 elif op is MachineOp.LESS:
                     yield f"const int32_t {name} = {self._use(args[0])} < {self._use(args[1])};"
@@ -244,6 +260,28 @@ class _Printer:
                 for part, result in enumerate(results):
                     if result in self.routine.names:
                         yield f"const {ctype} {self.routine.names[result]} = {array}[{part}];"
+
+    def _integer(self, operation: Operation) -> str:
+        """Return the expression of an integer operation."""
+        op, args, place = operation.op, operation.args, operation.place
+        called = self.integers.call(operation)
+        if called is not None:
+            name, constants = called
+            return f"{name}({', '.join([self._use(args[0]), *constants])})"
+        if op is MachineOp.READ and place is not None:
+            return self._place(place)
+        if op is MachineOp.SELECT:
+            return f"({self._use(args[0])} != 0) ? {self._use(args[1])} : {self._use(args[2])}"
+        if op is MachineOp.NARROW:
+            return f"({getattr(operation.format, 'ctype', '')}){self._use(args[0])}"
+        first = f"{self.integers.casts(operation)}{self._use(args[0])}"
+        if op is MachineOp.NEGATE:
+            return f"-{first}"
+        if op is MachineOp.SHIFT_LEFT:
+            return f"{first} * {self.integers.factor(operation)}"
+        if op in SIGNS:
+            return f"{first} {SIGNS[op]} {self._use(args[1])}"
+        raise UnprintableError(f"{self.routine.name}: {op} must be lowered before it is printed")
 
     def _choose(self, place: Place, cases: tuple[tuple[int, str], ...], otherwise: str, indent: str) -> Iterator[str]:
         arguments = ", ".join(["state", *(block.name for block in parameters(self.routine))])

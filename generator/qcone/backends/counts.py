@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields
 from enum import Enum
 from fractions import Fraction
 
+from qcone.formats.fixed import Signal
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Call, Loop, Operation, Routine, Statement
@@ -35,6 +36,15 @@ KINDS: Mapping[Enum, str] = {
     MachineOp.MULTIPLY: "multiply",
     MachineOp.DIVIDE: "divide",
     MachineOp.NEGATE: "negate",
+    MachineOp.MAC: "",
+    MachineOp.CLAMP: "select",
+    MachineOp.SHIFT_LEFT: "shift",
+    MachineOp.SHIFT_RIGHT: "shift",
+    MachineOp.NARROW: "",
+    RealOp.CARRY: "",
+    RealOp.WIDE: "",
+    RealOp.CLAMP: "",
+    RealOp.SUM: "",
     MachineOp.LITERAL: "",
     MachineOp.READ: "",
 }
@@ -54,6 +64,7 @@ class Counts:
     trigonometric: int = 0
     compare: int = 0
     select: int = 0
+    shift: int = 0
 
     def __add__(self, other: Counts) -> Counts:
         """Add kind by kind."""
@@ -88,7 +99,8 @@ def _body(
                 if statement.constant is not None:
                     constants[statement.result] = statement.constant
                 kind = KINDS[statement.op]
-                if kind == "multiply" and any(is_power_of_two(constants.get(arg)) for arg in statement.args):
+                scaled = any(is_power_of_two(constants.get(arg)) for arg in statement.args)
+                if kind == "multiply" and scaled and not isinstance(statement.format, Signal):
                     kind = "power_of_two"
                 if kind:
                     found[kind] += 1

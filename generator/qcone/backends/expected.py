@@ -12,8 +12,18 @@ from qcone.backends.c_source import (
     result_array,
     unused,
 )
+from qcone.backends.c_fixed import IntegerText, furniture
 from qcone.backends.c_state import field, state_fields, state_initialiser
-from qcone.backends.parse_back import Line, UnreadableError, affine, read_functions, read_macros, read_structure
+from qcone.backends.parse_back import (
+    Line,
+    UnreadableError,
+    affine,
+    inline_functions,
+    read_functions,
+    read_macros,
+    read_structure,
+)
+from qcone.formats.fixed import Fixed, Signal
 from qcone.formats.floating import Floating
 from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
@@ -34,8 +44,13 @@ from qcone.ir.statement import (
 )
 
 
-def differences(program: Program, number: Floating, header: str, source: str) -> list[str]:
+def differences(program: Program, number: Floating | Fixed, header: str, source: str) -> list[str]:
     """Return how the text differs from the program: empty when every statement of every function agrees."""
+    small, source = inline_functions(source)
+    wanted = tuple(each.text for each in furniture(program)) if isinstance(number, Fixed) else ()
+    if small != wanted:
+        odd = next((text for text in (*small, *wanted) if text not in wanted or text not in small), "their order")
+        return [f"a small function is not as it is emitted: {' '.join(odd.split())}"]
     try:
         found = read_functions(header, source)
         members = read_structure(header, f"{program.name}_state")
@@ -45,7 +60,7 @@ def differences(program: Program, number: Floating, header: str, source: str) ->
 
 
 def _compare_header(
-    program: Program, number: Floating, members: tuple[str, ...], macros: Mapping[str, str]
+    program: Program, number: Floating | Fixed, members: tuple[str, ...], macros: Mapping[str, str]
 ) -> Iterator[str]:
     """Compare what the header fixes of the state: its members, their types, what a static state begins with."""
     wanted = tuple(declaration.removesuffix(";") for declaration, _ in state_fields(program, number))
@@ -60,7 +75,7 @@ def _compare_header(
         yield f"{prefix}STATE_INIT: {macros.get(f'{prefix}STATE_INIT')} instead of {initial}"
 
 
-def _compare(program: Program, number: Floating, found: Mapping[str, tuple[str, tuple[Line, ...]]]) -> Iterator[str]:
+def _compare(program: Program, number: Floating | Fixed, found: Mapping[str, tuple[str, tuple[Line, ...]]]) -> Iterator[str]:
     routines = {f"{program.name}_{routine.name}": routine for routine in program.routines}
     for routine in program.routines:
         for callee in _callees(routine):
@@ -101,14 +116,16 @@ def _compare_lines(name: str, found: Sequence[Line], expected: Sequence[Line]) -
 class _Reader:
     """Says what each statement of a routine must look like in C."""
 
-    def __init__(self, routine: Routine, program: Program, number: Floating, scalar: bool) -> None:
+    def __init__(self, routine: Routine, program: Program, number: Floating | Fixed, scalar: bool) -> None:
         self.routine, self.program, self.number, self.scalar = routine, program, number, scalar
-        self.constants = {
-            each.result: each.constant
-            for each in walk(routine.body)
-            if isinstance(each, Operation) and each.constant is not None
+        literals = [
+            each for each in walk(routine.body) if isinstance(each, Operation) and each.op is MachineOp.LITERAL
+        ]
+        self.constants = {each.result: each.constant for each in literals if each.constant is not None}
+        self.literals = {
+            each.result: self._literal(each.constant, each.format) for each in literals if each.constant is not None
         }
-        self.literals = {value: self._literal(constant) for value, constant in self.constants.items()}
+        self.integers = IntegerText(routine)
 
     def lines(self) -> Iterator[Line]:
         """Yield the expected statements."""
@@ -126,13 +143,12 @@ class _Reader:
         names = self.routine.names
         for statement in body:
             match statement:
-                case Operation(result, op, args, _, place):
+                case Operation(result, op):
                     if op is MachineOp.LITERAL:
                         continue
-                    operands = tuple(map(self._use, args)) if place is None else (self._place(place),)
-                    yield Line(
-                        op.value, names[result], operands, f"const {statement.format.ctype if statement.format else ''}"
-                    )
+                    kind, operands = self._parts(statement)
+                    typed = f"const {statement.format.ctype if statement.format else ''}"
+                    yield Line(kind, names[result], operands, typed)
                 case Write(place, value):
                     integer = self.routine.block(place.block).integer
                     stored = self.constants.get(value) if integer else None
@@ -157,10 +173,32 @@ class _Reader:
                     limits = tuple(str(limit) for limit, _ in cases)
                     yield Line("choose", self._place(place), limits, body=body_lines)
 
+    def _parts(self, operation: Operation) -> tuple[str, tuple[str, ...]]:
+        """Return what kind of statement an operation is, and its operands, casts among them."""
+        if operation.place is not None:
+            return operation.op.value, (self._place(operation.place),)
+        operands = list(map(self._use, operation.args))
+        if not isinstance(operation.format, Signal):
+            return operation.op.value, tuple(operands)
+        called = self.integers.call(operation)
+        if called is not None:
+            name, constants = called
+            return name, (*operands, *(_whole(each) for each in constants))
+        if operation.op is MachineOp.NARROW:
+            return "read", (f"({operation.format.ctype}){operands[0]}",)
+        if operation.op is not MachineOp.SELECT:
+            operands[0] = self.integers.casts(operation) + operands[0]
+        if operation.op is MachineOp.SHIFT_LEFT:
+            return "multiply", (*operands, _whole(self.integers.factor(operation)))
+        return operation.op.value, tuple(operands)
+
     def _use(self, value: int) -> str:
         return self.literals.get(value) or self.routine.names[value]
 
-    def _literal(self, value: Fraction) -> str:
+    def _literal(self, value: Fraction, signal: object = None) -> str:
+        if isinstance(signal, Signal):
+            raw = signal.raw(value)
+            return f"int64_t {raw}" if signal.width > 32 else str(raw)
         sign = "-" if value < 0 else ""
         return f"{sign}{self.number.ctype} {abs(value)}"
 
@@ -177,6 +215,11 @@ class _Reader:
             before = sum(each.size for each in outputs[: outputs.index(block)])
             return f"result[{_index(place.index + before)}]"
         return f"{place.block}[{index}]"
+
+
+def _whole(text: str) -> str:
+    """Return an integer constant in the terms it is read back in."""
+    return f"int64_t {text[8:-1]}" if text.startswith("INT64_C(") else text
 
 
 def _index(index: Index) -> str:

@@ -49,6 +49,8 @@ class Page:
     significand: str
     digits: int
     interface: int
+    small: tuple[str, ...] = ()
+    """The small functions of a fixed-point file, as text; there `significand` is empty."""
 
 
 @dataclass(frozen=True)
@@ -57,6 +59,8 @@ class Driver:
 
     name: str
     ctype: str
+    word_ctype: str
+    input_ctype: str
     input_size: int
     has_start: bool
     setter: str
@@ -65,6 +69,12 @@ class Driver:
     state_words: tuple[str, ...]
     word_count: int
     probe: str
+    fraction_bits: tuple[tuple[str, int], ...] = ()
+    """Fraction bits of the blocks handed in and out, by name; none for floats."""
+
+    def bits(self, block: str) -> int | None:
+        """Return the fraction bits of a block; None for floats."""
+        return dict(self.fraction_bits).get(block)
 
 
 def header(page: Page) -> str:

@@ -18,7 +18,10 @@ from pycparser.c_parser import ParseError
 from qcone.formats.floating import FLOATING
 
 OPERATORS = {"+": "add", "-": "subtract", "*": "multiply", "/": "divide", "<": "less"}
-TYPES = "typedef int int32_t;\n"
+WORDS = ("int16_t", "int32_t", "int64_t")
+TYPES = "typedef short int16_t; typedef int int32_t; typedef long long int64_t;\n"
+INLINE = re.compile(r"(?:/\*(?:(?!\*/).)*\*/\n)?static inline .*?\n}\n", re.DOTALL)
+"""A small function and the comment above it."""
 NUMBERS = {each.ctype: each for each in FLOATING.values()}
 
 
@@ -56,7 +59,7 @@ def read_functions(header: str, source: str) -> dict[str, tuple[str, tuple[Line,
     for node in tree.ext:
         if not isinstance(node, c_ast.FuncDef | c_ast.Typedef) and not isinstance(node.type, c_ast.FuncDecl):
             raise UnreadableError(f"a declaration outside every function: {getattr(node, 'name', None)}")
-        if isinstance(node, c_ast.Typedef) and node.name != "int32_t" and not node.name.endswith("_state"):
+        if isinstance(node, c_ast.Typedef) and node.name not in WORDS and not node.name.endswith("_state"):
             raise UnreadableError(f"a type that is not emitted: {node.name}")
         if isinstance(node, c_ast.FuncDef):
             try:
@@ -64,6 +67,11 @@ def read_functions(header: str, source: str) -> dict[str, tuple[str, tuple[Line,
             except (AttributeError, KeyError, TypeError, ValueError) as error:  # a tree of another shape than ours
                 raise UnreadableError(f"{node.decl.name}: a form that is not emitted: {error}") from error
     return found
+
+
+def inline_functions(source: str) -> tuple[tuple[str, ...], str]:
+    """Return the small functions a source begins with, as their texts, and the source without them."""
+    return tuple(INLINE.findall(source)), INLINE.sub("", source)
 
 
 def _refuse_directives(source: str) -> None:
@@ -166,6 +174,8 @@ def _declaration(node: Any) -> Line:
         if value.op not in OPERATORS:
             raise UnreadableError(f"an operator that is not emitted: {value.op}")
         return Line(OPERATORS[value.op], node.name, (_operand(value.left), _operand(value.right)), ctype)
+    if isinstance(value, c_ast.FuncCall) and value.name.name != "INT64_C":
+        return Line(value.name.name, node.name, tuple(_operand(each) for each in value.args.exprs), ctype)
     if isinstance(value, c_ast.TernaryOp):
         return Line(
             "select", node.name, (_condition(value.cond), _operand(value.iftrue), _operand(value.iffalse)), ctype
@@ -240,9 +250,21 @@ def _operand(node: Any) -> str:
             return "-" + _literal(node.expr)
         case c_ast.ArrayRef():
             return f"{_operand(node.name)}[{_expression(node.subscript)}]"
+        case c_ast.Cast() if getattr(node.to_type.type.type, "names", [""])[0] in WORDS:
+            return f"({node.to_type.type.type.names[0]}){_operand(node.expr)}"
+        case c_ast.FuncCall() if node.name.name == "INT64_C":
+            return f"int64_t {_whole(node.args.exprs)}"
         case c_ast.StructRef() if node.type == "->":
             return f"{_operand(node.name)}->{node.field.name}"
     raise UnreadableError(f"an operand that is not emitted: {type(node).__name__}")
+
+
+def _whole(arguments: Sequence[Any]) -> int:
+    """Return the number inside INT64_C(..)."""
+    (node,) = arguments
+    if isinstance(node, c_ast.UnaryOp) and node.op == "-":
+        return -int(node.expr.value)
+    return int(node.value)
 
 
 def _literal(node: Any) -> str:

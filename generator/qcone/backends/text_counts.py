@@ -8,7 +8,7 @@ from dataclasses import fields
 from fractions import Fraction
 
 from qcone.backends.counts import Counts, is_power_of_two
-from qcone.backends.parse_back import Line, read_functions
+from qcone.backends.parse_back import Line, inline_functions, read_functions
 
 COUNTED = {
     "add": "add",
@@ -28,7 +28,7 @@ def count_text(header: str, source: str) -> dict[str, Counts]:
     Loops and calls are multiplied out. Of branches the dearer one counts, kind by kind. Raises
     UnreadableError for text that no printer of ours writes.
     """
-    bodies = {name: lines for name, (_, lines) in read_functions(header, source).items()}
+    bodies = {name: lines for name, (_, lines) in read_functions(header, inline_functions(source)[1]).items()}
     return {name: Counts(**_lines(lines, bodies, {})) for name, lines in bodies.items()}
 
 
@@ -45,11 +45,23 @@ def _lines(lines: Sequence[Line], bodies: Mapping[str, Sequence[Line]], counters
         elif line.kind == "call":
             called = Counts(**_lines(bodies[line.target], bodies, {}))
             found += Counter({each.name: getattr(called, each.name) for each in fields(called)})
+        elif line.kind == "multiply" and any(map(_is_integer_power, line.operands)):
+            found["shift"] += 1
         elif line.kind == "multiply" and any(map(_is_literal_power, line.operands)):
             found["power_of_two"] += 1
+        elif line.kind.startswith(("round_", "floor_")):
+            found["shift"] += 1
+        elif line.kind.startswith("clamp_"):
+            found["select"] += 1
         elif line.kind in COUNTED:
             found[COUNTED[line.kind]] += 1
     return found
+
+
+def _is_integer_power(operand: str) -> bool:
+    """Tell whether an operand is an integer constant 2^k: the product is a left shift, as C99 has it."""
+    digits = operand.removeprefix("int64_t ")
+    return digits.isdigit() and is_power_of_two(Fraction(int(digits)))
 
 
 def _is_literal_power(operand: str) -> bool:

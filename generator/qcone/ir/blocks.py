@@ -231,13 +231,14 @@ class Matrix(Quantity):
     def row(self, index: int) -> Vector:
         """Return one of the three rows."""
         values = self.values[3 * index : 3 * index + 3]
-        return Vector(self.builder, values, self.builder.group("part", values, (self.group,)))
+        return Vector(self.builder, values, self.builder.group("row", values, (self.group,)))
 
 
 def number(value: Number, like: Quantity) -> Scalar:
     """Return an exact constant as a scalar, written beside `like`."""
     written = like.builder.constant(exact(value))
-    return Scalar(like.builder, (written,), like.builder.group("input", (written,), norm=abs(Fraction(value))))
+    known = Fraction(value)
+    return Scalar(like.builder, (written,), like.builder.group("constant", (written,), (), known, abs(known)))
 
 
 def vector(x: Scalar, y: Scalar, z: Scalar) -> Vector:

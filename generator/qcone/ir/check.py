@@ -34,7 +34,7 @@ class IllegalRoutineError(QconeError):
 
 Turns = Sequence[Mapping[str, int]]
 """Every combination of loop counters a statement is run with: loops are short, and so nothing is guessed."""
-ARITY: Mapping[Enum, int] = dict((*operations.ARITY.items(), *machine.ARITY.items()))
+ARITY: Mapping[Enum, int | None] = dict((*operations.ARITY.items(), *machine.ARITY.items()))
 
 
 def check(routine: Routine, language: type[Enum]) -> Routine:
@@ -112,7 +112,7 @@ class _Checker:
         op = statement.op
         if not isinstance(op, self.language):
             self._fail(statement, f"{op} is not of the language {self.language.__name__}")
-        if len(statement.args) != ARITY[op]:
+        if ARITY[op] is not None and len(statement.args) != ARITY[op]:
             self._fail(statement, f"{op.value} takes {ARITY[op]} operands, not {len(statement.args)}")
         self._use(statement, statement.args, known)
         if (statement.constant is not None) != (op in (RealOp.CONSTANT, MachineOp.LITERAL)):

@@ -27,9 +27,17 @@ class RealOp(Enum):
     """One of two numbers by a truth value: select(condition, if true, if false)."""
     ACCUMULATE = "accumulate"
     """state + increment. In exact arithmetic an addition; the number format says how the rounding is carried."""
+    CARRY = "carry"
+    """The operand itself; the number format carries its rounding on to the next update."""
+    WIDE = "wide"
+    """The operand itself, kept in a word twice as wide."""
+    CLAMP = "clamp"
+    """The operand, kept between two constants: what is known of it, as an operation."""
+    SUM = "sum"
+    """A sum of terms, each a product of at most two values and an exact coefficient: `detail` holds them."""
 
 
-ARITY = {
+ARITY: dict[RealOp, int | None] = {
     RealOp.CONSTANT: 0,
     RealOp.READ: 0,
     RealOp.ADD: 2,
@@ -45,4 +53,8 @@ ARITY = {
     RealOp.LESS: 2,
     RealOp.SELECT: 3,
     RealOp.ACCUMULATE: 2,
+    RealOp.CARRY: 1,
+    RealOp.WIDE: 1,
+    RealOp.CLAMP: 1,
+    RealOp.SUM: None,
 }

@@ -26,7 +26,16 @@ from qcone.ir.operations import RealOp
 from qcone.ir.specification import Algorithm, Phase, Source, algorithm
 from qcone.ir.statement import Block, Role, Routine, Shape
 from qcone.ir.subroutine import subroutine
-from qcone.ir.update import Rotation, Update, exp, increment, quaternion, rotation
+from qcone.ir.update import (
+    Rotation,
+    Update,
+    exp,
+    increment,
+    quaternion,
+    rotation,
+    shortened,
+    square_of_length,
+)
 
 __all__ = [
     "PI",
@@ -66,8 +75,10 @@ __all__ = [
     "rotation",
     "rows",
     "select",
+    "shortened",
     "sine_cosine",
     "sqrt",
+    "square_of_length",
     "square_root_of_unit",
     "step",
     "subroutine",

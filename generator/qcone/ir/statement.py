@@ -14,7 +14,9 @@ from enum import Enum
 from fractions import Fraction
 from types import MappingProxyType
 
+from qcone.formats.fixed import Signal
 from qcone.formats.floating import Floating, Truth
+from qcone.ir.detail import Detail
 from qcone.ir.index import FIRST, Index
 
 
@@ -53,7 +55,8 @@ class Block:
     """A named, typed block of components: `count` scalars, vectors, quaternions or matrices in a row.
 
     `unit` is for the reader; `norm` bounds the Euclidean norm of each of the `count` entries, where it is
-    declared; `entries` are the constants of a table. `integer` marks a counter.
+    declared; `entries` are the constants of a table. `integer` marks a counter; `format` is that of its words in
+    fixed point.
     """
 
     name: str
@@ -64,6 +67,7 @@ class Block:
     norm: Fraction | None = None
     entries: tuple[Fraction, ...] = ()
     integer: bool = False
+    format: Signal | None = None
 
     @property
     def size(self) -> int:
@@ -87,7 +91,9 @@ class Place:
 class Operation:
     """Define one value. `constant` belongs to a constant, `place` to a read; `format` is None in the real language.
 
-    In the machine language `constant` is rounded to the format and `exact` is what it was rounded from.
+    In the machine language `constant` is rounded to the format and `exact` is what it was rounded from. `detail`
+    holds what some operations need beside their operands; `bound` is, in fixed point, what the value is proved not
+    to exceed in size.
     """
 
     result: int
@@ -96,8 +102,10 @@ class Operation:
     constant: Fraction | None = None
     place: Place | None = None
     step: int = 0
-    format: Floating | Truth | None = None
+    format: Floating | Signal | Truth | None = None
     exact: Fraction | None = None
+    detail: Detail | None = None
+    bound: Fraction | None = None
 
 
 @dataclass(frozen=True)
@@ -177,7 +185,8 @@ class Group:
     """A vector, quaternion or scalar as one thing: how its component values arose from other groups.
 
     Range analysis needs it: |a x b| <= |a| |b| cannot be seen from components one by one. `kind` is the
-    operation's name ("input", "sum", "difference", "scale", "cross", "dot", "product", "other").
+    operation's name ("input", "sum", "difference", "scale", "cross", "dot", "product", "other"); `block` the one an
+    input is read from.
     """
 
     kind: str
@@ -185,6 +194,7 @@ class Group:
     operands: tuple[int, ...] = ()
     factor: Fraction | None = None
     norm: Fraction | None = None
+    block: str = ""
 
 
 @dataclass(frozen=True)
@@ -258,3 +268,10 @@ def walk(body: tuple[Statement, ...]) -> Iterator[Statement]:
         yield statement
         if isinstance(statement, Loop):
             yield from walk(statement.body)
+
+
+def unused(routine: Routine) -> int:
+    """Return a number above those of all values, of what was taken into sums among them."""
+    known = [*results(routine.body), *routine.names]
+    known += [value for group in routine.groups for value in group.values]
+    return max(known, default=-1) + 1

@@ -18,7 +18,7 @@ from typing import Literal
 
 from qcone.errors import UsageError
 from qcone.ir import products
-from qcone.ir.blocks import Quaternion, Scalar, Vector, dot, number, sqrt, together
+from qcone.ir.blocks import Q, Quaternion, Scalar, Vector, dot, number, sqrt, together
 from qcone.ir.labels import step
 from qcone.ir.operations import RealOp
 
@@ -34,26 +34,50 @@ class Update:
         """Write the product out, as the routine's `Writing` says, and return the new attitude."""
         self.q.builder.settle()
         writing = self.q.builder.writing
-        small, v, name = self.rotation.u, self.rotation.v, "u"
+        u, v, name = self.rotation.u, carried(self.rotation.v), "u"
+        small = u
         if writing.renormalise:
             small, name = _with_renormalisation(self.q, small), "a"
+        inner = [small.group] if small is not None else []
+        length = (self.q.group, (u or number(0, v)).group, v.group)
         if writing.accumulate == "standard":
             scalar = number(1, v) if small is None else 1 + small
             r = step(f"r = [{'1' if small is None else '1 + ' + name}, v]", "", quaternion(scalar, v))
-            return step("q_next = q (x) r", "cao (14)", _least_product(self.q, r))
+            q_next = _least_product(self.q, r)
+            return step("q_next = q (x) r", "cao (14)", _rotated(q_next, (*length, r.group, *inner)))
         if small is None:
             change = step("dq = q (x) [0, v]", "cao (14)", self.q * v)
         else:
             change = step(f"dq = q (x) [{name}, v]", "cao (14)", _least_product(self.q, quaternion(small, v)))
-        return accumulated(self.q, change)
+        return accumulated(self.q, change, (*length, change.group, *inner))
 
 
-def accumulated(q: Quaternion, change: Quaternion) -> Quaternion:
-    """Write q + dq by the operation whose rounding the number format carries."""
+def carried(v: Vector) -> Vector:
+    """Write that the rounding of a vector is carried to the next update, where the `Writing` asks for it."""
+    builder = v.builder
+    if not builder.writing.carry:
+        return v
+    values = [builder.emit(RealOp.CARRY, value) for value in v.values]
+    return Vector(builder, tuple(values), builder.group("scale", values, (v.group,), Fraction(1)))
+
+
+def _rotated(q_next: Quaternion, operands: Sequence[int]) -> Quaternion:
+    """Return the new attitude on record as q turned by [1 + u, v], renormalised or not: so its length is bounded."""
+    builder = q_next.builder
+    kept = Fraction(1 if builder.writing.renormalise else 0)
+    return Quaternion(builder, q_next.values, builder.group("rotated", q_next.values, operands, kept))
+
+
+def accumulated(q: Quaternion, change: Quaternion, rotated: Sequence[int] = ()) -> Quaternion:
+    """Write q + dq by the operation whose rounding the number format carries.
+
+    `rotated` are the groups that bound its length where it is a rotation's; else |q| + |dq| does.
+    """
     builder = q.builder
     values = [builder.emit(RealOp.ACCUMULATE, *pair) for pair in zip(q.values, change.values, strict=True)]
     group = builder.group("sum", values, (q.group, change.group))
-    return step("q_next = q + dq", "", Quaternion(builder, tuple(values), group))
+    q_next = Quaternion(builder, tuple(values), group)
+    return step("q_next = q + dq", "", _rotated(q_next, rotated) if rotated else q_next)
 
 
 @dataclass(frozen=True)
@@ -65,13 +89,16 @@ class Increment:
 
     def finish(self) -> Quaternion:
         """Write q + dq, with the renormalisation e q added to the increment where the `Writing` asks for it."""
-        change = self.change
-        if self.q.builder.writing.renormalise:
+        change, builder = self.change, self.q.builder
+        if builder.writing.renormalise:
             e = _with_renormalisation(self.q, None)
             change = step("dq_e = dq + e q", "", change + e * self.q)
-        if self.q.builder.writing.as_written:
+        if builder.writing.as_written:
             return step("q_next = q + dq", "", self.q + change)
-        return accumulated(self.q, change)
+        kept = Fraction(1 if builder.writing.renormalise else 0)
+        q_next = accumulated(self.q, change)
+        builder.group("renormalised", q_next.values, (self.q.group, self.change.group), kept)
+        return q_next
 
 
 def increment(q: Quaternion, change: Quaternion) -> Increment:
@@ -102,11 +129,25 @@ class Rotation:
 
 def _with_renormalisation(q: Quaternion, u: Scalar | None) -> Scalar:
     """Write e = (1 - |q|^2)/2 and return the scalar part u + e."""
-    value = products.dot(q.builder.emit, q.values, q.values)
-    square = Scalar(q.builder, (value,), q.builder.group("dot", (value,), (q.group, q.group)))
-    square = step("q_square = |q|^2", "", square)
+    square = step("q_square = |q|^2", "", square_of_length(q))
     e = step("e = (1 - |q|^2)/2", "renormalisation, folded into the scalar part", Fraction(1, 2) * (1 - square))
     return e if u is None else step("a = u + e", "", u + e)
+
+
+def square_of_length(q: Quaternion) -> Scalar:
+    """Return |q|^2, the scalar part's square first."""
+    value = products.dot(q.builder.emit, q.values, q.values)
+    return Scalar(q.builder, (value,), q.builder.group("dot", (value,), (q.group, q.group)))
+
+
+def shortened(before: Quaternion | Vector, after: Q, crossed: bool = False) -> Q:
+    """Return `after` on record as `before` brought towards unit length by one Newton step: so its length is bounded.
+
+    `crossed` says that its part along another such vector was taken away.
+    """
+    kind = "row_renormalised" if crossed else "renormalised"
+    after.builder.group(kind, after.values, (before.group,), Fraction(1))
+    return after
 
 
 def _least_product(p: Quaternion, q: Quaternion) -> Quaternion:
@@ -142,8 +183,13 @@ def exp(phi: Vector) -> Rotation | Quaternion:
     if series is None:
         zero = dot(phi, phi)
         return Rotation(zero, phi)
+    phi = carried(phi)
     x = step("phi_square = |phi|^2", "", dot(phi, phi))
     u = step("u = cos(|phi|/2) - 1, polynomial in |phi|^2", "cao (9)", x * horner(series.cosine, x))
+    if builder.writing.fixed:
+        y = step("y = sin(|phi|/2)/|phi| - 1/2, polynomial in |phi|^2", "cao (9)", x * horner(series.sine, x))
+        bent = step("bent = y phi", "cao (14)", y * phi)
+        return Rotation(u, step("v = phi/2 + bent", "cao (14)", Fraction(1, 2) * phi + bent))
     s = step("s = sin(|phi|/2)/|phi|, polynomial in |phi|^2", "cao (9)", horner((Fraction(1, 2), *series.sine), x))
     v = step("v = s phi", "cao (14)", s * phi)
     return Rotation(u, v)
@@ -167,7 +213,7 @@ def horner(coefficients: Sequence[Fraction], x: Scalar) -> Scalar:
     builder = x.builder
     last, *others = reversed(coefficients)
     value = builder.constant(last)
-    total = Scalar(builder, (value,), builder.group("input", (value,), norm=abs(last)))
+    total = Scalar(builder, (value,), builder.group("constant", (value,), (), last, abs(last)))
     for coefficient in others:
         total = coefficient + x * total
     return total

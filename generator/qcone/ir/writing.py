@@ -44,7 +44,8 @@ class Writing:
     "factored" (polynomials, an increment held apart from 1). `accumulate` is "standard", q (x) r, or
     "delta", q + q (x) (r - 1). `renormalise` folds e = (1 - |q|^2)/2 into the scalar part of r. `rolled`
     keeps the author's loops. `series` is what exp() uses, `functions` what arctangents and roots use; None where
-    they are not chosen: in the real language.
+    they are not chosen: in the real language. `fixed` writes for a fixed-point format, where sums are exact but for
+    one rounding and every range must be plain; `carry` carries the rounding of rotation vectors to the next update.
     """
 
     form: str = "factored"
@@ -53,6 +54,8 @@ class Writing:
     renormalise: bool = True
     rolled: bool = False
     functions: Functions | None = None
+    fixed: bool = False
+    carry: bool = False
 
     @property
     def as_written(self) -> bool:

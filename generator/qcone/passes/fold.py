@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, Routine, Statement
-from qcone.passes.rebuild import rebuild
+from qcone.passes.rebuild import rebuild, regrouped
 
 _EXACT: Mapping[object, Callable[..., Fraction | None]] = {
     RealOp.ADD: lambda a, b: a + b,
@@ -51,4 +51,6 @@ def fold(routine: Routine) -> Routine:
         if gone in names:
             names.setdefault(stand_in, names[gone])
     callees = {name: fold(callee) for name, callee in routine.callees.items()}
-    return replace(routine, body=body, names=names, callees=callees)
+    return replace(
+        routine, body=body, names=names, groups=regrouped(routine.groups, renamed), callees=callees
+    )

@@ -26,7 +26,7 @@ def norms(routine: Routine) -> tuple[Fraction | None, ...]:
             bounds.append(abs(group.factor) * operands[0])
         elif group.kind in ("cross", "dot", "product"):
             bounds.append(operands[0] * operands[1])
-        elif group.kind in ("part", "exp"):
+        elif group.kind in ("part", "row", "exp"):
             bounds.append(operands[0])
         else:
             bounds.append(None)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
-from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Ready, Statement, Write
+from qcone.ir.statement import Advance, Call, Choose, Group, Loop, Operation, Ready, Statement, Write
 
 Visit = Callable[[Operation], Iterable[Statement]]
 
@@ -31,3 +31,20 @@ def rebuild(body: tuple[Statement, ...], visit: Visit, renamed: dict[int, int]) 
             case Advance() | Choose() | Ready():
                 result.append(statement)
     return tuple(result)
+
+
+def regrouped(groups: tuple[Group, ...], renamed: Mapping[int, int]) -> tuple[Group, ...]:
+    """Return the groups over the values that stand for theirs now: bounds follow a value under its new name."""
+    return tuple(
+        replace(group, values=tuple(final(value, renamed) for value in group.values))
+        if any(value in renamed for value in group.values)
+        else group
+        for group in groups
+    )
+
+
+def final(value: int, renamed: Mapping[int, int]) -> int:
+    """Return what stands for a value in the end."""
+    while value in renamed:
+        value = renamed[value]
+    return value

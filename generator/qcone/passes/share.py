@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Loop, Operation, Role, Routine, Statement
-from qcone.passes.rebuild import rebuild
+from qcone.passes.rebuild import rebuild, regrouped
 
 _COMMUTATIVE = {RealOp.ADD, RealOp.MULTIPLY}
 
@@ -22,7 +22,9 @@ def share(routine: Routine) -> Routine:
     renamed: dict[int, int] = {}
     body = _scope(routine.body, {}, renamed, steady, names)
     callees = {name: share(callee) for name, callee in routine.callees.items()}
-    return replace(routine, body=body, names=names, callees=callees)
+    return replace(
+        routine, body=body, names=names, groups=regrouped(routine.groups, renamed), callees=callees
+    )
 
 
 def _scope(

@@ -12,7 +12,21 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from qcone.ir.operations import RealOp
-from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Ready, Routine, Statement, Write, results, walk
+from qcone.ir.statement import (
+    Advance,
+    Call,
+    Choose,
+    Group,
+    Loop,
+    Operation,
+    Ready,
+    Routine,
+    Statement,
+    Write,
+    results,
+    walk,
+)
+from qcone.passes.rebuild import regrouped
 
 
 def signs(routine: Routine) -> Routine:
@@ -22,7 +36,7 @@ def signs(routine: Routine) -> Routine:
         return replace(routine, callees=callees)
     carrier = _Carrier(routine)
     body = carrier.body(routine.body)
-    return replace(routine, body=body, names=carrier.names, callees=callees)
+    return replace(routine, body=body, names=carrier.names, groups=carrier.groups(routine.groups), callees=callees)
 
 
 class _Carrier:
@@ -32,6 +46,19 @@ class _Carrier:
         self.names = dict(routine.names)
         self.stand_in: dict[int, tuple[int, int]] = {}
         self.next = max(results(routine.body), default=-1) + 1
+
+    def groups(self, groups: tuple[Group, ...]) -> tuple[Group, ...]:
+        """Return the groups over what stands for their values; a single value with the other sign is marked by ~.
+
+        The norm of a vector does not depend on the signs of its components.
+        """
+        stand_in = {value: other for value, (_, other) in self.stand_in.items() if other != value}
+        negated = {value for value, (sign, _) in self.stand_in.items() if sign < 0}
+        kept = (
+            replace(group, values=(~group.values[0],)) if len(group.values) == 1 and group.values[0] in negated else group
+            for group in groups
+        )
+        return regrouped(tuple(kept), stand_in)
 
     def body(self, body: tuple[Statement, ...]) -> tuple[Statement, ...]:
         out: list[Statement] = []

@@ -14,7 +14,7 @@ from fractions import Fraction
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, Routine, Statement
 from qcone.passes.fold import fold
-from qcone.passes.rebuild import rebuild
+from qcone.passes.rebuild import rebuild, regrouped
 from qcone.passes.share import share
 
 
@@ -46,7 +46,7 @@ def _once(routine: Routine) -> Routine:
     for gone, stand_in in renamed.items():
         if gone in names:
             names.setdefault(stand_in, names[gone])
-    return replace(routine, body=body, names=names)
+    return replace(routine, body=body, names=names, groups=regrouped(routine.groups, renamed))
 
 
 class _Facts:

@@ -1,0 +1,84 @@
+"""The bit-true model of fixed point: raw words as 64-bit integers, `mac` and what it expands to side by side.
+
+No sum is anywhere near 2^63: that was proved when the formats were chosen, so NumPy's integers, which wrap silently,
+hold every word exactly. NumPy shifts negative integers right arithmetically, which is floor(x / 2^n).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from qcone.formats.fixed import Signal
+from qcone.ir.detail import Limits, Mac, Shift
+from qcone.ir.machine import MachineOp
+from qcone.ir.statement import Operation
+
+Array = NDArray[Any]
+Kept = list[tuple[str, int, Array]]
+"""What is to be written when the routine ends: block, component, word."""
+OPERATIONS = frozenset(
+    {MachineOp.MAC, MachineOp.CLAMP, MachineOp.SHIFT_LEFT, MachineOp.SHIFT_RIGHT, MachineOp.DIVIDE}
+)
+
+
+def raw(operation: Operation) -> Any:
+    """Return a constant's raw word."""
+    assert isinstance(operation.format, Signal) and operation.constant is not None
+    return np.int64(operation.format.raw(operation.constant))
+
+
+def run(operation: Operation, values: Mapping[int, Any], memory: Mapping[str, Array], kept: Kept) -> Any:
+    """Run one operation on raw words."""
+    detail = operation.detail
+    args = [values[arg] for arg in operation.args]
+    match operation.op:
+        case MachineOp.MAC if isinstance(detail, Mac):
+            return _mac(operation, detail, values, memory, kept)
+        case MachineOp.CLAMP if isinstance(detail, Limits):
+            return np.clip(args[0], np.int64(int(detail.low)), np.int64(int(detail.high)))
+        case MachineOp.SHIFT_LEFT if isinstance(detail, Shift):
+            return args[0] * np.int64(1 << detail.bits)
+        case MachineOp.SHIFT_RIGHT if isinstance(detail, Shift):
+            return rounded(args[0], detail.bits, detail.rounding)
+        case MachineOp.DIVIDE:
+            top = args[0] * np.int64(1 << detail.bits) if isinstance(detail, Shift) else args[0]
+            size = np.abs(top) // np.abs(args[1])
+            return np.where((top < 0) != (args[1] < 0), -size, size)
+    raise AssertionError(operation.op)
+
+
+def rounded(x: Any, bits: int, rounding: str) -> Any:
+    """Return x / 2^bits, rounded up at halves, to even at halves, or down."""
+    if not bits:
+        return x
+    if rounding == "floor":
+        return x >> np.int64(bits)
+    half = np.int64(1 << (bits - 1))
+    up = (x + half) >> np.int64(bits)
+    if rounding == "even":
+        tie = ((x + half) & np.int64((1 << bits) - 1)) == 0
+        return np.where(tie, up - (up & np.int64(1)), up)
+    return up
+
+
+def _mac(
+    operation: Operation, mac: Mac, values: Mapping[int, Any], memory: Mapping[str, Array], kept: Kept
+) -> Any:
+    total: Any = np.int64(0)
+    for term in mac.terms:
+        value = values[term.args[0]]
+        if len(term.args) == 2:
+            value = value * values[term.args[1]]
+        value = value * np.int64(1 << term.shift)
+        total = total - value if term.negative else total + value
+    if mac.residual is not None:
+        name, index = mac.residual
+        total = total + memory[name][index.constant]
+    result = rounded(total, mac.discard, mac.rounding)
+    if mac.residual is not None:
+        kept.append((mac.residual[0], mac.residual[1].constant, total - result * np.int64(1 << mac.discard)))
+    return result

@@ -1,0 +1,198 @@
+"""C text of integer operations, and the small functions they are made of: rounding shifts and clamps.
+
+Everything is defined by C99 alone: a negative value is never shifted left, a right shift of one is written so that
+its result does not depend on the implementation, and what is narrowed is known to fit. Shifting the unsigned image
+and narrowing it takes the fewest instructions; it holds for up to as many bits as are dropped with the upper word.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from qcone.formats.fixed import Signal
+from qcone.ir.detail import Limits, Shift
+from qcone.ir.machine import MachineOp
+from qcone.ir.statement import Operation, Program, Routine, Statement, walk
+
+
+@dataclass(frozen=True)
+class Furniture:
+    """A small function that statements call: its name and its whole text."""
+
+    name: str
+    text: str
+
+
+def integer(raw: int, width: int) -> str:
+    """Return an integer constant of a word: with the macro of <stdint.h> where a plain decimal would be too narrow."""
+    return f"INT64_C({raw})" if width > 32 else str(raw)
+
+
+def literal(constant: Fraction, signal: Signal) -> str:
+    """Return a constant as its raw word."""
+    return integer(signal.raw(constant), signal.width)
+
+
+def shift_name(operation: Operation, width: int) -> str:
+    """Return the name of the function that shifts a sum of `width` bits right and rounds it into the result's word."""
+    assert isinstance(operation.detail, Shift) and isinstance(operation.format, Signal)
+    word = {"up": "round", "even": "round_even", "floor": "floor"}[operation.detail.rounding]
+    kind = "" if width == 2 * operation.format.width else "_wide" if width > 32 else "_short"
+    return f"{word}{kind}_{operation.detail.bits}"
+
+
+def clamp_name(operation: Operation, width: int) -> str:
+    """Return the name of the function that clamps a word of `width` bits."""
+    assert isinstance(operation.format, Signal)
+    return f"clamp_{width}" + (f"_to_{operation.format.width}" if operation.format.width != width else "")
+
+
+def furniture(program: Program) -> tuple[Furniture, ...]:
+    """Return the small functions a program calls, each after those it calls itself."""
+    made: dict[str, Furniture] = {}
+    for routine in program.routines:
+        widths: dict[int, int] = {}
+        for statement in walk(routine.body):
+            if not isinstance(statement, Operation):
+                continue
+            if isinstance(statement.format, Signal):
+                widths[statement.result] = statement.format.width
+            for each in _needed(statement, widths):
+                made.setdefault(each.name, each)
+    return tuple(sorted(made.values(), key=lambda each: (not each.name.startswith("shift_right"), _order(each.name))))
+
+
+def _order(name: str) -> tuple[str, int]:
+    word, _, number = name.rpartition("_")
+    return word, int(number)
+
+
+def _needed(operation: Operation, widths: dict[int, int]) -> Iterable[Furniture]:
+    if operation.op is MachineOp.SHIFT_RIGHT:
+        width = widths[operation.args[0]]
+        assert isinstance(operation.format, Signal) and isinstance(operation.detail, Shift)
+        if not _by_image(operation, width):
+            yield _shift_right(width)
+        yield Furniture(shift_name(operation, width), _rounding(operation, width))
+    elif operation.op is MachineOp.CLAMP:
+        width = widths[operation.args[0]]
+        yield Furniture(clamp_name(operation, width), _clamp(operation, width))
+
+
+def _by_image(operation: Operation, width: int) -> bool:
+    """Tell whether the unsigned image may be shifted: the bits that come in from above are dropped again."""
+    assert isinstance(operation.format, Signal) and isinstance(operation.detail, Shift)
+    fits = width == 64 and operation.format.width == 32 and operation.detail.bits <= 32
+    return fits and operation.detail.rounding == "up"
+
+
+def _shift_right(width: int) -> Furniture:
+    ctype = f"int{width}_t"
+    name = f"shift_right_{width}"
+    return Furniture(
+        name,
+        f"/* x / 2^bits, rounded down, 0 <= bits < {width}. */\n"
+        f"static inline {ctype} {name}({ctype} x, int bits)\n"
+        "{\n"
+        f"    return (((({ctype})-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));\n"
+        "}\n",
+    )
+
+
+def _rounding(operation: Operation, width: int) -> str:
+    assert isinstance(operation.format, Signal) and isinstance(operation.detail, Shift)
+    bits, rounding, result = operation.detail.bits, operation.detail.rounding, operation.format.width
+    name, out, into = shift_name(operation, width), f"int{result}_t", f"int{width}_t"
+    half = 1 << (bits - 1)
+    told = {"up": "to nearest, halves up", "even": "to nearest, halves to even", "floor": "down"}[rounding]
+    fits = f"; the result fits {result} bits" if result < width else ""
+    head = f"/* x / 2^{bits}, rounded {told}{fits}. */\nstatic inline {out} {name}({into} x)\n{{\n"
+    cast = f"({out})" if result < width else ""
+    if _by_image(operation, width):
+        body = (
+            f"    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C({half})) >> {bits});\n"
+            "    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);\n"
+        )
+    elif rounding == "floor":
+        body = f"    return {cast}shift_right_{width}(x, {bits});\n"
+    elif rounding == "up":
+        body = f"    return {cast}shift_right_{width}(x + {integer(half, width)}, {bits});\n"
+    else:
+        unsigned = f"uint{width}_t"
+        mask = f"UINT64_C({2 * half - 1})" if width > 32 else f"{2 * half - 1}U"
+        body = (
+            f"    const {into} up = shift_right_{width}(x + {integer(half, width)}, {bits});\n"
+            f"    const int tie = ((({unsigned})x + {half if width <= 32 else f'UINT64_C({half})'}{'U' if width <= 32 else ''}) & {mask}) == 0;\n"
+            f"    return {cast}((tie != 0) ? (up - (up & 1)) : up);\n"
+        )
+    return head + body + "}\n"
+
+
+def _clamp(operation: Operation, width: int) -> str:
+    assert isinstance(operation.format, Signal)
+    into, out = f"int{width}_t", operation.format.ctype
+    cast = f"({out})" if operation.format.width < width else ""
+    return (
+        "/* x, kept from low to high. */\n"
+        f"static inline {out} {clamp_name(operation, width)}({into} x, {into} low, {into} high)\n"
+        "{\n"
+        f"    return {cast}((x < low) ? low : ((x > high) ? high : x));\n"
+        "}\n"
+    )
+
+
+class IntegerText:
+    """Says how the integer operations of one routine are written: as C, and as the parts C is read back in."""
+
+    def __init__(self, routine: Routine) -> None:
+        """Note the word of every value."""
+        self.widths: dict[int, int] = {}
+        for statement in walk(routine.body):
+            if isinstance(statement, Operation) and isinstance(statement.format, Signal):
+                self.widths[statement.result] = statement.format.width
+
+    def casts(self, operation: Operation) -> str:
+        """Return the cast that stands before the first operand: where no operand is as wide as the result."""
+        assert isinstance(operation.format, Signal)
+        widest = max(self.widths[arg] for arg in operation.args)
+        if operation.op is MachineOp.SHIFT_LEFT and operation.format.width > 32:
+            return ""
+        return f"({operation.format.ctype})" if widest < operation.format.width else ""
+
+    def call(self, operation: Operation) -> tuple[str, tuple[str, ...]] | None:
+        """Return the function an operation calls, and its constant arguments; None where it calls none."""
+        width = self.widths[operation.args[0]] if operation.args else 0
+        if operation.op is MachineOp.SHIFT_RIGHT:
+            return shift_name(operation, width), ()
+        if operation.op is MachineOp.CLAMP and isinstance(operation.detail, Limits):
+            low, high = int(operation.detail.low), int(operation.detail.high)
+            return clamp_name(operation, width), (integer(low, width), integer(high, width))
+        return None
+
+    def factor(self, operation: Operation) -> str:
+        """Return the power of two of a left shift."""
+        assert isinstance(operation.detail, Shift) and isinstance(operation.format, Signal)
+        return integer(1 << operation.detail.bits, operation.format.width)
+
+
+def remark(statement: Statement) -> str:
+    """Return the format and bound of a value, for the end of its line; nothing for other statements."""
+    if not isinstance(statement, Operation) or not isinstance(statement.format, Signal):
+        return ""
+    size = f", |x| <= {_above(statement.bound)}" if statement.bound is not None else ""
+    return f"  /* F{statement.format.fraction}{size} */"
+
+
+def _above(bound: Fraction) -> str:
+    """Return a bound in three digits, rounded up."""
+    if not bound:
+        return "0"
+    exponent = 0
+    while bound * Fraction(10) ** -exponent >= 1000:
+        exponent += 1
+    while bound * Fraction(10) ** -exponent < 100:
+        exponent -= 1
+    digits = -(-bound * Fraction(10) ** -exponent).__floor__()
+    return f"{float(Fraction(digits) * Fraction(10) ** exponent):.3g}"

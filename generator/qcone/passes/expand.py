@@ -1,0 +1,143 @@
+"""Expand `mac` into integer operations: products, sums, shifts, one rounding. Exact: no bit of any result changes.
+
+The core decides how a product is made. `generic` takes a product of two words in a word twice as wide, as C has it.
+That no partial sum overflows, in any order of the terms, was shown when the formats were chosen.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from qcone.formats.fixed import Signal
+from qcone.ir.detail import Aligned, Mac, Shift
+from qcone.ir.machine import MachineOp
+from qcone.ir.statement import Operation, Place, Routine, Statement, Step, Write, unused
+
+
+def expand(routine: Routine) -> Routine:
+    """Return the routine in integer operations of the generic core."""
+    return _Expansion(routine).run()
+
+
+class _Expansion:
+    def __init__(self, routine: Routine) -> None:
+        self.routine = routine
+        self.names = dict(routine.names)
+        self.steps = list(routine.steps)
+        self.next = unused(routine)
+        self.body: list[Statement] = []
+        self.kept: list[Write] = []
+        self.formats: dict[int, Signal] = {}
+
+    def run(self) -> Routine:
+        for statement in self.routine.body:
+            if isinstance(statement, Operation):
+                if isinstance(statement.format, Signal):
+                    self.formats[statement.result] = statement.format
+                if isinstance(statement.detail, Mac):
+                    self._mac(statement, statement.detail)
+                    continue
+                if statement.op is MachineOp.DIVIDE and isinstance(statement.detail, Shift):
+                    self._quotient(statement, statement.detail)
+                    continue
+            self.body.append(statement)
+        body = (*self.body, *self.kept)
+        return replace(self.routine, body=body, names=self.names, steps=tuple(self.steps))
+
+    def _emit(
+        self, op: MachineOp, args: tuple[int, ...], signal: Signal, like: Operation, shift: Shift | None = None
+    ) -> int:
+        value, self.next = self.next, self.next + 1
+        self.body.append(Operation(value, op, args, step=like.step, format=signal, detail=shift))
+        self.formats[value] = signal
+        return value
+
+    def _mac(self, operation: Operation, mac: Mac) -> None:
+        assert isinstance(operation.format, Signal)
+        wide = Signal(mac.accumulator, operation.format.fraction + mac.discard)
+        positive = [each for each in mac.terms if not each.negative]
+        first = positive[0] if positive else mac.terms[0]
+        total = self._term(first, wide, operation)
+        if first.negative:
+            total = self._emit(MachineOp.NEGATE, (total,), wide, operation)
+        for term in mac.terms:
+            if term is first:
+                continue
+            op = MachineOp.SUBTRACT if term.negative else MachineOp.ADD
+            total = self._emit(op, (total, self._term(term, wide, operation)), wide, operation)
+        if mac.residual is not None:
+            total = self._carried(operation, mac, total, wide)
+        else:
+            self._rounded(operation, mac, total)
+
+    def _quotient(self, operation: Operation, shift: Shift) -> None:
+        """Write a quotient: the numerator is shifted left, the division drops what is below the last bit."""
+        top, bottom = operation.args
+        assert isinstance(operation.format, Signal)
+        if shift.bits:
+            signal = Signal(operation.format.width, self.formats[top].fraction + shift.bits)
+            top = self._emit(MachineOp.SHIFT_LEFT, (top,), signal, operation, shift)
+        self.body.append(replace(operation, args=(top, bottom), detail=None))
+
+    def _term(self, term: Aligned, wide: Signal, like: Operation) -> int:
+        value = term.args[0]
+        if len(term.args) == 2:
+            bits = sum(self.formats[arg].fraction for arg in term.args)
+            value = self._emit(MachineOp.MULTIPLY, term.args, Signal(wide.width, bits), like)
+        if term.shift:
+            value = self._emit(MachineOp.SHIFT_LEFT, (value,), wide, like, Shift(term.shift))
+        return value
+
+    def _rounded(self, operation: Operation, mac: Mac, total: int) -> None:
+        """Write the result: what was summed, without the bits to be discarded, in the word of the result."""
+        assert isinstance(operation.format, Signal)
+        common = replace(operation, args=(total,), detail=None)
+        if mac.discard:
+            shift = Shift(mac.discard, mac.rounding)
+            self.body.append(replace(common, op=MachineOp.SHIFT_RIGHT, detail=shift))
+            return
+        last = self.body[-1] if self.body else None
+        if isinstance(last, Operation) and last.result == total and last.format is not None:
+            if self.formats[total].width == operation.format.width:
+                # The last sum is the result: it takes its name, format and bound.
+                made = replace(last, result=operation.result, format=operation.format, bound=operation.bound)
+                self.body[-1] = made
+                return
+        narrower = self.formats[total].width > operation.format.width
+        op = MachineOp.NARROW if narrower else MachineOp.SHIFT_LEFT
+        self.body.append(replace(common, op=op, detail=None if narrower else Shift(0)))
+
+    def _carried(self, operation: Operation, mac: Mac, total: int, wide: Signal) -> int:
+        """Write acc + residual, its rounding, and what the rounding takes away as the residual of the next update."""
+        assert mac.residual is not None and isinstance(operation.format, Signal)
+        name, index = mac.residual
+        place = Place(name, index)
+        kept = self.routine.block(name).format
+        assert kept is not None
+        called = self.names.get(operation.result, "value")
+        carried = self.next
+        self.next += 1
+        self.body.append(
+            Operation(carried, MachineOp.READ, place=place, step=operation.step, format=Signal(kept.width, wide.fraction))
+        )
+        self.formats[carried] = Signal(kept.width, wide.fraction)
+        self.names[carried] = f"{called}_carried"
+        total = self._emit(MachineOp.ADD, (total, carried), wide, operation)
+        self.names[total] = f"{called}_whole"
+        self._rounded(operation, mac, total)
+        back = self._emit(MachineOp.SHIFT_LEFT, (operation.result,), wide, operation, Shift(mac.discard))
+        left = self._emit(MachineOp.SUBTRACT, (total, back), wide, operation)
+        self.names[left] = f"{called}_left"
+        if wide.width > kept.width:
+            left = self._emit(MachineOp.NARROW, (left,), Signal(kept.width, wide.fraction), operation)
+            self.names[left] = f"{called}_left_over"
+        self.kept.append(Write(place, left, self._step()))
+        return total
+
+    def _step(self) -> int:
+        step = Step("carry the roundings to the next update")
+        if step not in self.steps:
+            self.steps.append(step)
+        return self.steps.index(step)
+
+

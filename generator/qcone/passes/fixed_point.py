@@ -1,0 +1,255 @@
+"""Bring a whole program to fixed point: the formats of its blocks, the range the attitude never leaves, each routine.
+
+The attitude's length has to stay within a range for ever, not for one update: a range is sought that every routine
+maps into itself, roundings included. What else the state keeps is bounded by what is written to it, to a fixpoint.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+from qcone.errors import UsageError
+from qcone.formats.fixed import Fixed, Signal
+from qcone.ir.machine import MachineOp
+from qcone.ir.statement import Block, Choose, Operation, Place, Program, Role, Routine, Statement, Write, unused
+from qcone.ir.index import Index
+from qcone.passes.expand import expand
+from qcone.passes.fuse import fuse
+from qcone.passes.lower_fixed import Residual, lower_fixed, residual_block
+from qcone.passes.magnitudes import Declared, Magnitudes, Samples, root_above
+from qcone.passes.qassign import Assigner, Formats
+from qcone.passes.sweep import sweep
+from qcone.passes.widen import widen
+
+DEBUG = False
+SPREADS = tuple(
+    Fraction(each)
+    for each in ("1/65536", "1/4096", "1/1024", "1/256", "1/64", "1/32", "1/16", "1/10", "3/20", "1/5", "3/10", "2/5", "1/2")
+)
+"""How far from 1 the attitude's length may be: the least of these that the updates keep."""
+RESIDUAL = "residual"
+GIVEN = Fraction(1, 1024)
+"""How far from 1 the length of an attitude may be that is handed in."""
+PI_ABOVE = Fraction(355, 113)
+CARRYING = ("update", "steady")
+SETTING = ("init", "set_quaternion", "set_dcm", "set_euler")
+WHOLE_BITS = {"q": 1, "c": 1, "rpy": 2, "q_nb": 1, "c_nb": 1, "angles": 2}
+"""Bits before the binary point beside the sign, of attitudes kept, handed in and given out."""
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """What is declared of inputs: norms of the vectors handed in, their differences in time, and what follows for
+    the rotation vector of one update, rad."""
+
+    inputs: Mapping[str, Fraction] = field(hash=False)
+    samples: Samples | None = None
+    turn: Fraction | None = None
+
+
+@dataclass(frozen=True)
+class FixedProgram:
+    """A program in fixed point: in `mac` operations, and in integer operations; `spread` bounds | |q| - 1 |."""
+
+    macs: Program
+    integers: Program
+    spread: Fraction
+
+
+def to_fixed(program: Program, number: Fixed, declaration: Declaration, compensated: bool) -> FixedProgram:
+    """Return the program in fixed point. Raises UsageError for what does not fit, naming the value and the bits."""
+    return _FixedPoint(program, number, declaration, compensated).run()
+
+
+class _FixedPoint:
+    def __init__(self, program: Program, number: Fixed, declaration: Declaration, compensated: bool) -> None:
+        self.program, self.number, self.declaration = program, number, declaration
+        self.compensated = compensated
+        self.held = program.state[0]
+        self.fused = tuple(map(self._fused, program.routines))
+        self.bounds: dict[str, Fraction] = {}
+
+    def run(self) -> FixedProgram:
+        failed: UsageError | None = None
+        for spread in self._spreads():
+            self._settle(spread)
+            signals, declared = self._signals(), self._declared(spread)
+            try:
+                done = [self._assigned(routine, signals, declared) for routine in self.fused]
+            except UsageError as error:
+                failed = failed or error
+                continue
+            if all(self._stays(assigner, found, spread) for assigner, found in done):
+                return self._lowered(done, signals, spread)
+        if failed:
+            raise failed
+        raise UsageError(
+            f"the length of '{self.held.name}' is not proved to stay near 1: one update may change it too much; raise "
+            'update_hz, lower max_rate_dps, or set renormalise = "every"'
+        )
+
+    def _fused(self, routine: Routine) -> Routine:
+        if self.compensated and self.held in routine.blocks:
+            routine = sweep(widen(routine, self.held.name))
+        return fuse(routine)
+
+    # -- blocks ---------------------------------------------------------------------------------------
+
+    def _spreads(self) -> tuple[Fraction, ...]:
+        """Return the ranges to be tried: an attitude of angles has no length to be kept."""
+        return SPREADS if self.held.name != "rpy" else (GIVEN,)
+
+    def _blocks(self) -> dict[str, Block]:
+        blocks = {block.name: block for block in self.program.state if not block.integer}
+        for routine in self.program.routines:
+            blocks |= {block.name: block for block in routine.blocks if not block.integer}
+        return {name: block for name, block in blocks.items() if block.role not in (Role.LOCAL, Role.TABLE)}
+
+    def _signals(self) -> dict[str, Signal]:
+        width, signals = self.number.width, {}
+        for name, block in self._blocks().items():
+            if name in WHOLE_BITS:
+                signals[name] = Signal(width, width - 1 - WHOLE_BITS[name])
+            elif name in self.declaration.inputs:
+                # One bit is left free, so that sums and differences of two samples are exact.
+                fine = self.number.signal(self.declaration.inputs[name])
+                signals[name] = Signal(width, fine.fraction - 1)
+            else:
+                signals[name] = self.number.signal(self.bounds.get(name, Fraction(0)))
+        if self.compensated:
+            signals[self.held.name] = Signal(2 * width, 2 * width - 1 - WHOLE_BITS[self.held.name])
+        return signals
+
+    def _declared(self, spread: Fraction) -> dict[str, Declared]:
+        declared: dict[str, Declared] = {}
+        signals = self._signals()
+        for name in self._blocks():
+            if name in ("q", "c"):
+                low, high = 1 - spread, 1 + spread
+                declared[name] = Declared((-high, high), (low if name == "q" else Fraction(0), high))
+            elif name in ("q_nb", "c_nb"):
+                low, high = 1 - GIVEN, 1 + GIVEN
+                declared[name] = Declared((-high, high), (low, high))
+            elif name in ("rpy", "angles"):
+                declared[name] = Declared((-PI_ABOVE, PI_ABOVE))
+            elif name in self.declaration.inputs:
+                most = self.declaration.inputs[name] + signals[name].lsb
+                declared[name] = Declared((-most, most), (Fraction(0), most))
+            else:
+                most = self.bounds.get(name, Fraction(0))
+                declared[name] = Declared((-most, most))
+        return declared
+
+    def _settle(self, spread: Fraction) -> None:
+        """Bound what the state keeps beside the attitude by what is written to it, to a fixpoint."""
+        known = (set(WHOLE_BITS) | set(self.declaration.inputs)) - {RESIDUAL}
+        open_blocks = [name for name in self._blocks() if name not in known]
+        for _ in range(12):
+            declared, changed = self._declared(spread), False
+            for routine in self.fused:
+                magnitudes = self._magnitudes(routine, declared)
+                if magnitudes is None:
+                    continue
+                for statement in routine.body:
+                    if isinstance(statement, Write) and statement.place.block in open_blocks:
+                        name = statement.place.block
+                        most = magnitudes.of(statement.value) * Fraction(1025, 1024)
+                        if most > self.bounds.get(name, Fraction(0)):
+                            self.bounds[name], changed = most * Fraction(33, 32), True
+            if not changed:
+                return
+
+    def _magnitudes(self, routine: Routine, declared: Mapping[str, Declared]) -> Magnitudes | None:
+        try:
+            return Magnitudes(routine, declared, self.declaration.samples, None, self.declaration.turn)
+        except ZeroDivisionError:
+            return None
+
+    # -- routines -------------------------------------------------------------------------------------
+
+    def _assigned(
+        self, routine: Routine, signals: Mapping[str, Signal], declared: Mapping[str, Declared]
+    ) -> tuple[Assigner, Formats]:
+        assigner = Assigner(
+            routine, self.number, signals, declared, self.declaration.samples, self.declaration.turn
+        )
+        return assigner, assigner.run()
+
+    def _stays(self, assigner: Assigner, found: Formats, spread: Fraction) -> bool:
+        """Tell whether a routine writes only attitudes whose length is in the range, and what else was declared."""
+        magnitudes = found.magnitudes
+        assert magnitudes is not None
+        for place, value in assigner.written.items():
+            bound = self.bounds.get(place.block)
+            if bound is not None and place.block not in WHOLE_BITS and magnitudes.of(value) > bound:
+                return False
+        written = [value for place, value in assigner.written.items() if place.block == self.held.name]
+        if self.held.name == "rpy" or not written or self._is_kept(assigner.routine, written):
+            return True
+        size = 4 if self.held.name == "q" else 3
+        low, high = Fraction(0), Fraction(4)
+        for entry in range(0, len(written), size):
+            a, b = self._length(magnitudes, found.routine, written[entry : entry + size])
+            if DEBUG: print(assigner.routine.name, float(a)-1, float(b)-1, float(spread))
+            if b > 1 + spread or (size == 4 and a < 1 - spread):
+                return False
+            low, high = max(low, a), min(high, b)
+        return True
+
+    @staticmethod
+    def _is_kept(routine: Routine, written: list[int]) -> bool:
+        reads = {each.result for each in routine.body if isinstance(each, Operation) and each.place is not None}
+        return all(value in reads for value in written)
+
+    @staticmethod
+    def _length(magnitudes: Magnitudes, routine: Routine, values: list[int]) -> tuple[Fraction, Fraction]:
+        """Return the range of a written vector's length: of every group over it, and of its components."""
+        intervals = [magnitudes.values[value] for value in values]
+        low = 1 / root_above(1 / sum((max(a, -b, Fraction(0)) ** 2 for a, b in intervals), Fraction(1, 2**200)))
+        high = root_above(sum((max(-a, b) ** 2 for a, b in intervals), Fraction(0)))
+        for number, group in enumerate(routine.groups):
+            if group.values == tuple(values):
+                norm = magnitudes.norm(number)
+                if norm is not None:
+                    low, high = max(low, norm[0]), min(high, norm[1])
+        return low, high
+
+    # -- the machine program --------------------------------------------------------------------------
+
+    def _lowered(
+        self, done: list[tuple[Assigner, Formats]], signals: Mapping[str, Signal], spread: Fraction
+    ) -> FixedProgram:
+        carried: tuple[Residual, ...] = ()
+        routines: list[Routine] = []
+        for assigner, found in done:
+            carry = RESIDUAL if self.compensated and found.routine.name in CARRYING else None
+            routine, residuals = lower_fixed(assigner, found, carry, signals)
+            carried = carried or residuals
+            routines.append(routine)
+        state = tuple(replace(b, format=signals[b.name]) if b.name in signals else b for b in self.program.state)
+        if carried:
+            block = residual_block(RESIDUAL, carried)
+            state = (state[0], block, *state[1:])
+            routines = [self._with_residual(routine, block) for routine in routines]
+        macs = replace(self.program, state=state, routines=tuple(routines))
+        integers = replace(macs, routines=tuple(map(expand, routines)))
+        return FixedProgram(macs, integers, spread)
+
+    def _with_residual(self, routine: Routine, block: Block) -> Routine:
+        """Clear what is carried where the attitude is set, and hand it on where a call is handed on."""
+        hands_on = any(isinstance(each, Choose) for each in routine.body)
+        if routine.name not in SETTING and not hands_on:
+            return routine
+        blocks = (routine.blocks[0], block, *routine.blocks[1:])
+        body: tuple[Statement, ...] = routine.body
+        if not hands_on:
+            value = unused(routine)
+            step = len(routine.steps) - 1
+            assert block.format is not None
+            zero = Operation(
+                value, MachineOp.LITERAL, constant=Fraction(0), step=step, format=block.format, exact=Fraction(0)
+            )
+            body = (*body, zero, *(Write(Place(block.name, Index(k)), value, step) for k in range(block.size)))
+        return replace(routine, blocks=blocks, body=body)

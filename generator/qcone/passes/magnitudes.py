@@ -1,0 +1,408 @@
+"""Magnitudes: what no value of a routine can exceed, roundings included, from what is declared of its blocks.
+
+Three views of the same values, each an exact rational bound, and the least of them counts: intervals; Euclidean
+norms of vectors and quaternions, |a x b| <= |a| |b|, |q (x) r| = |q| |r|; and, for weighted sums of input samples,
+their differences in time, which a declared angular acceleration and jerk bound.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import isqrt
+
+from qcone.ir.detail import Limits, Sum, Term
+from qcone.ir.operations import RealOp
+from qcone.ir.statement import Group, Operation, Routine
+
+Interval = tuple[Fraction, Fraction]
+ZERO = Fraction(0)
+BITS = 40
+"""Bounds are rounded outwards to so many bits: exact fractions would grow with every product."""
+
+
+@dataclass(frozen=True)
+class Declared:
+    """What is declared of a block: each component's interval, and the norm of each entry, from and to."""
+
+    interval: Interval
+    norm: Interval | None = None
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Samples in time: how far apart neighbours and second differences are at most, and where components lie.
+
+    `at` gives the instant, counted in samples, of a component; components of one axis are told apart by it.
+    """
+
+    largest: Fraction
+    first: Fraction | None
+    second: Fraction | None
+    at: Mapping[tuple[str, int], tuple[int, int]] = field(hash=False)
+    """(axis, instant) by (block, component)."""
+    lsb: Fraction = ZERO
+
+
+class Magnitudes:
+    """The bounds of one routine's values; `errors` are the roundings each value carries."""
+
+    def __init__(
+        self,
+        routine: Routine,
+        declared: Mapping[str, Declared],
+        samples: Samples | None = None,
+        errors: Mapping[int, Fraction] | None = None,
+        turn: Fraction | None = None,
+    ) -> None:
+        """Bound every value of a routine of sums, in order.
+
+        `turn` bounds the rotation vector of one update over the rationals. Its own roundings are far below a
+        thousandth of it in every format, and that much is added.
+        """
+        self.routine, self.declared, self.samples = routine, declared, samples
+        self.errors = errors or {}
+        turned = {group.operands[0] for group in routine.groups if group.kind == "exp"}
+        self._turns = {number: turn * Fraction(1025, 1024) for number in turned} if turn is not None else {}
+        self.values: dict[int, Interval] = {}
+        self._raw: dict[int, Interval] = {}
+        self._forms: dict[int, tuple[dict[tuple[str, int], Fraction], Fraction]] = {}
+        self._rules: dict[int, Interval | None] = {}
+        self._norms: dict[int, Interval | None] = {}
+        self._holding: dict[int, list[int]] = {}
+        self._entry: dict[int, tuple[int, ...]] = {}
+        self._read: dict[int, str] = {}
+        for number, group in enumerate(routine.groups):
+            for value in group.values:
+                self._holding.setdefault(value, []).append(number)
+        for statement in routine.body:
+            if isinstance(statement, Operation):
+                self._bound(statement)
+
+    def of(self, value: int) -> Fraction:
+        """Return the largest size of a value."""
+        low, high = self.values[value]
+        return max(-low, high)
+
+    def _bound(self, operation: Operation) -> None:
+        result = operation.result
+        self._note_form(operation)
+        error = self.errors.get(result, ZERO)
+        low, high = self._operation(operation)
+        low, high = low - error, high + error
+        if operation.op is RealOp.CLAMP and isinstance(operation.detail, Limits):
+            low, high = max(low, operation.detail.low), min(high, operation.detail.high)
+            low, high = min(low, high), max(low, high)
+        self._raw[result] = outward((low, high))
+        for number in self._holding.get(result, ()):
+            known = self._rule(number)
+            if known is None:
+                continue
+            slop = self._slop(self.routine.groups[number])
+            if len(self.routine.groups[number].values) == 1:
+                low, high = max(low, known[0] - slop), min(high, known[1] + slop)
+            else:
+                low, high = max(low, -known[1] - slop), min(high, known[1] + slop)
+        self.values[result] = outward((min(low, high), max(low, high)))
+
+    def _operation(self, operation: Operation) -> Interval:
+        args = [self.values[arg] for arg in operation.args if arg in self.values]
+        match operation.op:
+            case RealOp.CONSTANT:
+                assert operation.constant is not None
+                return (operation.constant, operation.constant)
+            case RealOp.READ:
+                assert operation.place is not None
+                self._read[operation.result] = operation.place.block
+                return self.declared[operation.place.block].interval
+            case RealOp.SUM | RealOp.WIDE:
+                assert isinstance(operation.detail, Sum)
+                total = self._sum(operation.detail.terms)
+                form = self._forms.get(operation.result)
+                if form is not None:
+                    most = self._form_bound(*form)
+                    total = (max(total[0], -most), min(total[1], most))
+                return total
+            case RealOp.SELECT:
+                return (min(args[1][0], args[2][0]), max(args[1][1], args[2][1]))
+            case RealOp.LESS:
+                return (ZERO, Fraction(1))
+            case RealOp.CLAMP:
+                return args[0]
+            case RealOp.DIVIDE:
+                return _quotient(args[0], args[1])
+        raise AssertionError(f"{operation.op} is not of a routine of sums")
+
+    def _sum(self, terms: tuple[Term, ...]) -> Interval:
+        low = high = ZERO
+        for term in terms:
+            a, b = self.term(term)
+            low, high = low + a, high + b
+        return low, high
+
+    def term(self, term: Term) -> Interval:
+        """Return the interval of one term."""
+        if not term.args:
+            return (term.coefficient, term.coefficient)
+        a = self.values[term.args[0]]
+        if len(term.args) == 2:
+            if term.args[0] == term.args[1]:
+                most = max(a[0] * a[0], a[1] * a[1])
+                a = (ZERO if a[0] <= 0 <= a[1] else min(a[0] * a[0], a[1] * a[1]), most)
+            else:
+                a = _times(a, self.values[term.args[1]])
+                together = self._together(*term.args)
+                if together is not None:
+                    a = (max(a[0], -together), min(a[1], together))
+        low, high = term.coefficient * a[0], term.coefficient * a[1]
+        return (min(low, high), max(low, high))
+
+    def _together(self, a: int, b: int) -> Fraction | None:
+        """Return a bound of |x y| for components x, y of one vector: half its square, 2 |x y| <= x^2 + y^2."""
+        found = []
+        for number in self._holding.get(a, ()):
+            group = self.routine.groups[number]
+            if b in group.values and len(group.values) > 1:
+                norm = self.norm(number)
+                if norm is not None:
+                    found.append(norm[1] * norm[1] / 2)
+        return min(found, default=None)
+
+    def of_any_subset(self, operation: Operation) -> Fraction | None:
+        """Return a bound of any partial sum of a sum that is a component of a product of vectors, in any order.
+
+        Such a component is a scalar product of the two vectors' components in some order and with some signs; so is
+        every part of it, of shorter vectors: |a| |b| bounds them all (Cauchy, Schwarz).
+        """
+        assert isinstance(operation.detail, Sum)
+        terms = operation.detail.terms
+        if any(len(term.args) != 2 for term in terms) or len({abs(term.coefficient) for term in terms}) != 1:
+            return None
+        scale, found = abs(terms[0].coefficient), []
+        for number in self._holding.get(operation.result, ()):
+            group = self.routine.groups[number]
+            whole = group.kind in ("dot", "cross") or (group.kind == "product" and len(group.values) == 4)
+            norms = [self.norm(operand) for operand in group.operands] if whole else []
+            sizes = [norm[1] for norm in norms if norm is not None]
+            if len(sizes) == 2 and all(len(self.routine.groups[each].values) > 1 for each in group.operands):
+                found.append(max(Fraction(1), scale) * sizes[0] * sizes[1])
+        return min(found, default=None)
+
+    # -- groups ---------------------------------------------------------------------------------------
+
+    def norm(self, number: int) -> Interval | None:
+        """Return the norm of a group, from and to; for one of a single value, its interval."""
+        if number not in self._norms:
+            group = self.routine.groups[number]
+            known = self._rule(number)
+            if known is not None:
+                slop = self._slop(group)
+                low = known[0] - slop if len(group.values) == 1 else max(ZERO, known[0] - slop)
+                known = outward((low, known[1] + slop))
+            own = [self._raw[value] for value in group.values if value in self._raw]
+            if own and len(own) == len(group.values):
+                if len(own) == 1:
+                    known = own[0] if known is None else (max(known[0], own[0][0]), min(known[1], own[0][1]))
+                else:
+                    most = root_above(sum((max(-a, b) ** 2 for a, b in own), ZERO))
+                    known = (ZERO, most) if known is None else (known[0], min(known[1], most))
+            self._norms[number] = known
+        return self._norms[number]
+
+    def _slop(self, group: Group) -> Fraction:
+        errors = [self.errors.get(value if value >= 0 else ~value, ZERO) for value in group.values]
+        return errors[0] if len(errors) == 1 else root_above(sum((each * each for each in errors), ZERO))
+
+    def _rule(self, number: int) -> Interval | None:
+        if number not in self._rules:
+            known, turn = self._by_kind(self.routine.groups[number]), self._turns.get(number)
+            if turn is not None:
+                known = (ZERO, turn) if known is None else (min(known[0], turn), min(known[1], turn))
+            self._rules[number] = known
+        return self._rules[number]
+
+    def _by_kind(self, group: Group) -> Interval | None:
+        single = len(group.values) == 1
+        if group.kind == "input":
+            block = next((self._read[value] for value in group.values if value in self._read), group.block)
+            known = self.declared.get(block)
+            if known is not None:
+                return known.interval if single else known.norm
+            if group.norm is None:
+                return None
+            return (-group.norm, group.norm) if single else (ZERO, group.norm)
+        if group.kind == "constant" and group.factor is not None:
+            return (group.factor, group.factor)
+        if group.kind in ("other", "root"):
+            return None
+        operands = [self.norm(operand) for operand in group.operands]
+        if not operands or any(each is None for each in operands[:3]):
+            return None
+        known_operands = [each for each in operands[:3] if each is not None]
+        sizes = [len(self.routine.groups[operand].values) for operand in group.operands]
+        bound = _norm_of(group, single, known_operands, sizes)
+        if bound is None or group.kind != "rotated":
+            return bound
+        # q and r are exact in the rule; what is rounded on the way to the new attitude stands in the other operands,
+        # and an error there moves it by at most |q| <= 2 times itself.
+        slop = 2 * sum((self._slop(self.routine.groups[operand]) for operand in group.operands[3:]), ZERO)
+        return (max(ZERO, bound[0] - slop), bound[1] + slop)
+
+    # -- weighted sums of samples ---------------------------------------------------------------------
+
+    def _note_form(self, operation: Operation) -> None:
+        if self.samples is None:
+            return
+        if operation.op is RealOp.READ and operation.place is not None:
+            key = (operation.place.block, operation.place.index.constant)
+            if key in self.samples.at:
+                self._forms[operation.result] = ({key: Fraction(1)}, ZERO)
+            return
+        if operation.op not in (RealOp.SUM, RealOp.WIDE) or not isinstance(operation.detail, Sum):
+            return
+        total: dict[tuple[str, int], Fraction] = {}
+        error = self.errors.get(operation.result, ZERO)
+        for term in operation.detail.terms:
+            form = self._forms.get(term.args[0]) if len(term.args) == 1 else None
+            if form is None:
+                return
+            for key, factor in form[0].items():
+                total[key] = total.get(key, ZERO) + term.coefficient * factor
+            error += abs(term.coefficient) * form[1]
+        if len({self.samples.at[key][0] for key in total}) == 1:
+            self._forms[operation.result] = (total, error)
+
+    def _form_bound(self, form: Mapping[tuple[str, int], Fraction], error: Fraction) -> Fraction:
+        """Bound sum c_i x_i by the samples, by their first and by their second differences (Abel's summation)."""
+        assert self.samples is not None
+        largest, first, second = self.samples.largest, self.samples.first, self.samples.second
+        instants = [self.samples.at[key][1] for key in form]
+        row = [ZERO] * (max(instants) - min(instants) + 1)
+        for key, factor in form.items():
+            row[self.samples.at[key][1] - min(instants)] += factor
+        size = sum((abs(each) for each in row), ZERO)
+        bounds = [size * largest]
+        if first is not None:
+            total, partial = _partial(row)
+            bounds.append(abs(total) * largest + sum((abs(each) for each in partial), ZERO) * first)
+            if second is not None and partial:
+                inner, twice = _partial(partial)
+                rest = sum((abs(each) for each in twice), ZERO) * second
+                bounds.append(abs(total) * largest + abs(inner) * first + rest)
+        return min(bounds) + size * self.samples.lsb + error
+
+
+def _partial(row: list[Fraction]) -> tuple[Fraction, list[Fraction]]:
+    """Return the sum of a row, and its partial sums but the last: sum c_i x_i = C x_last - sum C_i (x_i+1 - x_i)."""
+    sums, total = [], ZERO
+    for each in row:
+        total += each
+        sums.append(total)
+    return total, sums[:-1]
+
+
+def _norm_of(group: Group, single: bool, operands: list[Interval], sizes: list[int]) -> Interval | None:
+    """Return the bound of a group from those of its operands."""
+    first, last = operands[0], operands[-1]
+    match group.kind:
+        case "sum" | "difference" if len(operands) == 2:
+            if single:
+                return _plus(first, last if group.kind == "sum" else (-last[1], -last[0]))
+            return (max(ZERO, first[0] - last[1], last[0] - first[1]), first[1] + last[1])
+        case "scale" if group.factor is not None:
+            if single:
+                return _times((group.factor, group.factor), first)
+            return (abs(group.factor) * first[0], abs(group.factor) * first[1])
+        case "cross":
+            return (ZERO, first[1] * last[1])
+        case "dot":
+            if group.operands[0] == group.operands[1]:
+                return (first[0] * first[0], first[1] * first[1])
+            return (-first[1] * last[1], first[1] * last[1])
+        case "product":
+            if single:
+                return _times(first, last)
+            ends = [max(-a, b) if size == 1 else b for (a, b), size in zip(operands, sizes, strict=True)]
+            low = first[0] * last[0] if 1 not in sizes else ZERO
+            return (low, ends[0] * ends[1])
+        case "part":
+            most = max(-first[0], first[1])
+            return (-most, most) if single else (ZERO, most)
+        case "rotated":
+            return _rotated(operands[:3], renormalised=bool(group.factor))
+        case "row_renormalised" if first[1] ** 2 > Fraction(3, 2):
+            return None  # |a|^2 <= 2 (1 + e_b) is not known to hold
+        case "renormalised" | "row_renormalised":
+            low, high = _length_after(first, ZERO, ZERO) if group.factor else first
+            change = last[1] if len(operands) > 1 else ZERO
+            low = ZERO if group.kind == "row_renormalised" else max(ZERO, low - change)
+            return (low, high + change)
+        case "row":
+            return first
+        case "matrix":  # of a quaternion: 1 - 2 (y^2 + z^2), 2 (x y - w z) and so on, and the products' roundings
+            return (ZERO, max(Fraction(1), 2 * first[1] * first[1] - 1) + Fraction(1, 2**8))
+    return None
+
+
+def _rotated(operands: list[Interval], renormalised: bool) -> Interval:
+    """Bound |q (x) [1 + u + e, v]|, e = (1 - |q|^2)/2: |q|^2 ((1 + u + e)^2 + |v|^2)."""
+    length, u, v = operands
+    if not renormalised:
+        low, high = length[0] * (1 + u[0]), length[1] * (1 + u[1])
+    else:
+        low, high = _length_after(length, u[0], u[1])
+    across = length[1] * v[1]
+    return (max(ZERO, low), root_above(high * high + across * across))
+
+
+def _length_after(length: Interval, u_low: Fraction, u_high: Fraction) -> Interval:
+    """Return the range of n (1 + u + (1 - n^2)/2) over the range of the length n: its maximum is at n^2 = 1 + 2u/3."""
+
+    def at(n: Fraction, u: Fraction) -> Fraction:
+        return n * (1 + u + (1 - n * n) / 2)
+
+    top = max(at(length[0], u_high), at(length[1], u_high))
+    square = 1 + 2 * u_high / 3
+    if square > 0 and length[0] ** 2 <= square <= length[1] ** 2:
+        top = max(top, root_above(square) * square)
+    return min(at(length[0], u_low), at(length[1], u_low)), top
+
+
+def _plus(a: Interval, b: Interval) -> Interval:
+    return (a[0] + b[0], a[1] + b[1])
+
+
+def _times(a: Interval, b: Interval) -> Interval:
+    products = [x * y for x in a for y in b]
+    return (min(products), max(products))
+
+
+def _quotient(a: Interval, b: Interval) -> Interval:
+    if b[0] <= 0 <= b[1]:
+        raise ZeroDivisionError
+    return _times(a, (1 / b[1], 1 / b[0]))
+
+
+def root_above(square: Fraction) -> Fraction:
+    """Return a rational not below the square root, within 2^-60 of it, relatively."""
+    if not square:
+        return ZERO
+    shift = max(0, 124 - (square.numerator.bit_length() - square.denominator.bit_length()))
+    shift += shift % 2
+    scaled = -(-square.numerator * (1 << shift) // square.denominator)
+    return Fraction(isqrt(scaled) + 1, 1 << (shift // 2))
+
+
+def outward(interval: Interval) -> Interval:
+    """Round the ends outwards to `BITS` bits."""
+    low, high = interval
+    return (-_up(-low), _up(high))
+
+
+def _up(value: Fraction) -> Fraction:
+    if not value:
+        return value
+    exponent = abs(value.numerator).bit_length() - value.denominator.bit_length() - BITS
+    scale = Fraction(2) ** exponent
+    return -(-value / scale).__floor__() * scale
