@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from qcone.backends.bittrue import dtype_of
 from qcone.bundle import Bundle
 from qcone.ir.statement import Block, Role
-from qcone.words import to_words
+from qcone.words import to_increments, to_words
 
 GO_ON, INIT, SET = 0, 1, 2
 LANES = 256
@@ -75,6 +75,24 @@ def _inside(words: NDArray[Any], block: Block) -> NDArray[Any]:
     over = np.sqrt((entries**2).sum(axis=-1, keepdims=True)) > largest
     cut = np.where(over, entries - np.sign(entries), entries)
     return cut.reshape(words.shape).astype(words.dtype)
+
+
+def in_words(
+    bundle: Bundle, restart: NDArray[np.int32], attitude: NDArray[Any], before: NDArray[Any], inputs: NDArray[Any]
+) -> Vectors:
+    """Return real values as the C takes them: attitudes and rates rounded, increments with the residue carried on.
+
+    `inputs` (lanes, steps, N, 3) follow one another within a lane.
+    """
+    lanes, steps = restart.shape
+    block = bundle.machine.routine("update").having(Role.INPUT)[0]
+    setting = bundle.machine.routine(bundle.driver.setter).having(Role.INPUT)[0]
+    if block.name == "omega":
+        words = to_words(bundle, block.name, inputs)
+    else:
+        words = to_increments(bundle, inputs.reshape(lanes, -1, 3), axis=1)
+    given = np.ascontiguousarray(words.reshape(lanes, steps, -1))
+    return Vectors(restart, to_words(bundle, setting.name, attitude), to_words(bundle, block.name, before), given)
 
 
 def in_form(q: NDArray[Any], setter: str, convention: str = "zyx") -> NDArray[Any]:

@@ -17,12 +17,13 @@ class Term:
     """coefficient * product of the values `args`: none (a constant), one or two.
 
     With two values the coefficient is a power of two with a sign: it costs nothing. `part` is the value that the term
-    was a part of before it was taken into a larger sum.
+    was a part of before it was taken into a larger sum, `step` the heading that stood over it.
     """
 
     coefficient: Fraction
     args: tuple[int, ...] = ()
     part: int | None = None
+    step: int = 0
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,7 @@ from qcone.ir import products
 from qcone.ir.blocks import Q, Quaternion, Scalar, Vector, dot, number, sqrt, together
 from qcone.ir.labels import step
 from qcone.ir.operations import RealOp
+from qcone.ir.statement import Step
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ class Update:
         """Write the product out, as the routine's `Writing` says, and return the new attitude."""
         self.q.builder.settle()
         writing = self.q.builder.writing
-        u, v, name = self.rotation.u, carried(self.rotation.v), "u"
+        u, v, name = self.rotation.u, carried(self.rotation.v, "v"), "u"
         small = u
         if writing.renormalise:
             small, name = _with_renormalisation(self.q, small), "a"
@@ -52,12 +53,13 @@ class Update:
         return accumulated(self.q, change, (*length, change.group, *inner))
 
 
-def carried(v: Vector) -> Vector:
-    """Write that the rounding of a vector is carried to the next update, where the `Writing` asks for it."""
+def carried(v: Vector, name: str) -> Vector:
+    """Write that the rounding of the vector `name` is carried to the next update, where the `Writing` asks for it."""
     builder = v.builder
     if not builder.writing.carry:
         return v
     values = [builder.emit(RealOp.CARRY, value) for value in v.values]
+    builder.label(Step(f"{name}, the rounding of the last update added, that of this one kept"))
     return Vector(builder, tuple(values), builder.group("scale", values, (v.group,), Fraction(1)))
 
 
@@ -183,7 +185,7 @@ def exp(phi: Vector) -> Rotation | Quaternion:
     if series is None:
         zero = dot(phi, phi)
         return Rotation(zero, phi)
-    phi = carried(phi)
+    phi = carried(phi, "phi")
     x = step("phi_square = |phi|^2", "", dot(phi, phi))
     u = step("u = cos(|phi|/2) - 1, polynomial in |phi|^2", "cao (9)", x * horner(series.cosine, x))
     if builder.writing.fixed:

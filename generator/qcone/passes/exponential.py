@@ -16,6 +16,7 @@ from functools import cache
 from math import factorial
 
 from qcone.errors import UsageError
+from qcone.formats.fixed import Fixed
 from qcone.formats.floating import Floating
 from qcone.ir.writing import Series
 from qcone.passes import polynomial
@@ -23,6 +24,8 @@ from qcone.passes import polynomial
 PI_BELOW = Fraction(314159265358979, 10**14)
 """A rational just below pi: the largest rotation vector an update may declare."""
 MOST_DEGREE = 14
+UNSEEN = 64
+"""How far below a last bit the truncation stays where roundings are carried: it adds up, update by update."""
 EXTRA_TERMS = 4
 """Terms of the Taylor polynomial beyond the degree sought that stand for the function itself."""
 
@@ -42,7 +45,7 @@ class Exponential:
     vector_error: Fraction
 
 
-def choose(kind: str, phi_max: Fraction, number: Floating, accumulate: str) -> Exponential:
+def choose(kind: str, phi_max: Fraction, number: Floating | Fixed, accumulate: str) -> Exponential:
     """Return the series of least degree whose error disappears behind the rounding of its consumer.
 
     An error up to a quarter of the last bit of what it is added to is invisible there: for the vector part
@@ -57,6 +60,8 @@ def choose(kind: str, phi_max: Fraction, number: Floating, accumulate: str) -> E
     cosine_end = 1 - phi_max * phi_max / 8 if accumulate == "standard" else phi_max * phi_max / 8
     scalar_goal = number.ulp(cosine_end) / 4
     vector_goal = number.ulp(phi_max / 2) / 4
+    if isinstance(number, Fixed) and accumulate == "compensated":
+        vector_goal /= UNSEEN  # roundings of the vector part are carried, what the polynomial lacks is not
     cosine, scalar_error = _least(kind, "cosine", phi_max, scalar_goal)
     sine, vector_error = _least(kind, "sine", phi_max, vector_goal)
     return Exponential(kind, Series(cosine, sine), phi_max, scalar_error, vector_error)

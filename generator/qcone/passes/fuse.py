@@ -54,7 +54,14 @@ class _Fusion:
                     self.body.append(replace(statement, value=self._value(statement.value)))
                 case _:
                     self.body.append(statement)
-        return replace(self.routine, body=tuple(self.body), names=self.names)
+        return replace(self.routine, body=self._in_order(), names=self.names)
+
+    def _in_order(self) -> tuple[Statement, ...]:
+        """Return the statements, each operation where its author wrote it and what it is made of stands before it."""
+        at = {each.result: k for k, each in enumerate(self.routine.body) if isinstance(each, Operation)}
+        operations = [each for each in self.body if isinstance(each, Operation)]
+        operations.sort(key=lambda each: at[each.result])
+        return (*operations, *(each for each in self.body if not isinstance(each, Operation)))
 
     def _operation(self, operation: Operation) -> None:
         result, op, args = operation.result, operation.op, operation.args
@@ -91,7 +98,8 @@ class _Fusion:
         if self.uses[value] == 1:
             if not mark or value not in self.names:
                 return terms
-            return tuple(term if term.part is not None else replace(term, part=value) for term in terms)
+            step = self.origin[value].step
+            return tuple(term if term.part is not None else replace(term, part=value, step=step) for term in terms)
         self._keep(value)
         return (Term(Fraction(1), (value,)),)
 

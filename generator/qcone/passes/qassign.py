@@ -20,6 +20,8 @@ from qcone.passes.fuse import is_power_of_two
 from qcone.passes.magnitudes import Declared, Magnitudes, Samples
 
 ROUNDS = 200
+LEAST_DROPPED = 8
+"""Fewer dropped bits than these would show the bias of rounding halves up."""
 SHORTEST_CONSTANT = 12
 """Bits that a constant keeps at least when it is shortened to make a sum fit."""
 
@@ -84,6 +86,7 @@ class Assigner:
         self.next = unused(routine)
         self.forced: dict[int, Signal] = {}
         self.written: dict[Place, int] = {}
+        self.split: set[int] = set()
         self.names = dict(routine.names)
         self.grouped = {value for group in routine.groups for value in group.values}
         self.routine = self._with_written(routine)
@@ -315,9 +318,33 @@ class Assigner:
                         body.extend(split)
                         continue
             body.append(statement)
+        mended = mended or self._free_of_bias(found)
         if mended:
             self.routine = replace(self.routine, body=tuple(body), names=self.names)
         return mended
+
+    def _free_of_bias(self, found: Formats) -> bool:
+        """Round what was split off a sum to the sum's own last bit where that would drop only few bits after all.
+
+        Rounding halves up is biased by 2^-(n+1) of a last bit when n bits are dropped: seen for few bits alone. A part
+        that is rounded where many bits are dropped, and then added exactly, has no such bias. Carried sums have none.
+        """
+        changed = False
+        for statement in self.routine.body:
+            if not isinstance(statement, Operation) or not isinstance(statement.detail, Sum) or statement.detail.carried:
+                continue
+            own = found.signals[statement.result].fraction
+            finest, bits = found.accumulated(statement)
+            if not 0 < finest - own < LEAST_DROPPED:
+                continue
+            fine = [term for term, each in zip(statement.detail.terms, bits, strict=True) if each is not None and each > own]
+            if all(len(term.args) == 1 and term.args[0] in self.split for term in fine):
+                for term in fine:
+                    over = found.term_bits(statement.result, 0, term)
+                    assert over is not None
+                    self.caps[term.args[0]] = found.signals[term.args[0]].fraction - (over - own)
+                    changed = True
+        return changed
 
     def accumulator_size(self, operation: Operation, found: Formats) -> Fraction:
         """Return the largest raw value in a sum's accumulator, in any order of its terms, rounding included."""
@@ -369,7 +396,7 @@ class Assigner:
                 assert each is not None
                 self.caps[each] = min(self.caps.get(each, 10**6), found.signals[each].fraction - over)
             return None
-        if len(top) < sum(1 for term in terms if term.args):
+        if len(top) < len(terms):
             linear = [at for at in top if len(terms[at].args) == 1]
             if linear:
                 return self._recast(operation, linear[0], finest - over, found)
@@ -479,7 +506,9 @@ class Assigner:
             self.names[value] = f"{name}_part"
         wide = operation.result in self.forced and self.forced[operation.result].width == self.number.wide
         op = RealOp.WIDE if wide or operation.op is RealOp.WIDE else RealOp.SUM
-        made = Operation(value, op, _args(first.terms), step=operation.step, detail=first)
+        self.split.add(value)
+        step = terms[members[0]].step if part is not None else operation.step
+        made = Operation(value, op, _args(first.terms), step=step, detail=first)
         rest = list(terms)
         rest[members[0]] = Term(Fraction(1), (value,))
         kept = tuple(term for k, term in enumerate(rest) if k == members[0] or k not in members)

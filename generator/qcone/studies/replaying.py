@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from qcone import verify
-from qcone.backends.bittrue import dtype_of
 from qcone.bundle import Bundle
 from qcone.errors import CheckError, UsageError
+from qcone.ir.statement import Role
 from qcone.studies.recording import Recording, Updates, split_updates
 from qcone.targets.compiler import first_compiler
-from qcone.vectors import GO_ON, SET, Vectors, in_form
+from qcone.vectors import GO_ON, SET, Vectors, in_form, in_words
+from qcone.words import from_words
 
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
 LEVEL = "-O2"
@@ -80,7 +81,8 @@ def outputs_of(bundle: Bundle, words: NDArray[Any]) -> dict[str, NDArray[np.floa
     """Return the outputs (lanes, steps, k) by name, of the words (lanes, steps, words) a run wrote."""
     found, first = {}, len(bundle.driver.state_words)
     for name, size in bundle.driver.outputs:
-        found[name] = words[..., first : first + size].astype(np.float64)
+        block = bundle.machine.routine(name).having(Role.OUTPUT)[0]
+        found[name] = from_words(bundle, block.name, words[..., first : first + size])
         first += size
     return found
 
@@ -101,7 +103,6 @@ def _suits(bundle: Bundle, recording: Recording) -> None:
 
 
 def _vectors(bundle: Bundle, updates: Updates, initial: Sequence[float]) -> Vectors:
-    dtype = dtype_of(bundle.facts.number)
     start = np.asarray(initial, np.float64)
     length = float(np.linalg.norm(start))
     if start.shape != (4,) or not abs(length - 1) <= UNIT_TOLERANCE:
@@ -109,12 +110,12 @@ def _vectors(bundle: Bundle, updates: Updates, initial: Sequence[float]) -> Vect
     rows = len(updates.values)
     restart = np.full((1, rows), GO_ON, np.int32)
     restart[0, 0] = SET
-    attitude: NDArray[Any] = np.zeros((1, rows, bundle.driver.attitude_size), dtype)
+    attitude: NDArray[Any] = np.zeros((1, rows, bundle.driver.attitude_size))
     attitude[0, 0] = in_form(start / length, bundle.driver.setter, bundle.facts.design.euler)
-    before = np.zeros((1, rows, 3), dtype)
+    before = np.zeros((1, rows, 3))
     if updates.start is not None:
         before[0, 0] = updates.start
-    return Vectors(restart, attitude, before, updates.values.reshape(1, rows, -1).astype(dtype))
+    return in_words(bundle, restart, attitude, before, updates.values.reshape(1, rows, -1, 3))
 
 
 def angles_between(p: NDArray[np.float64], q: NDArray[np.float64]) -> NDArray[np.float64]:
