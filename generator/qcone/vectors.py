@@ -12,9 +12,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qcone.assembly import in_fixed_point
 from qcone.backends.bittrue import dtype_of
 from qcone.bundle import Bundle
+from qcone.formats.floating import Floating
 from qcone.ir.statement import Block, Role
+from qcone.passes.magnitudes import Samples
 from qcone.words import to_increments, to_words
 
 GO_ON, INIT, SET = 0, 1, 2
@@ -51,8 +54,13 @@ def draw(bundle: Bundle, rows: int, seed: int = 1) -> Vectors:
     setting = bundle.machine.routine(bundle.driver.setter).having(Role.INPUT)[0]
     radius = float(block.norm or 1)
     kind = dtype_of(bundle.facts.number) if block.format is None else np.float64
-    inputs = _samples(generator, (lanes, steps, block.count), radius, kind).reshape(lanes, steps, block.size)
-    before = _samples(generator, (lanes, steps), radius, kind)
+    samples = known_samples(bundle)
+    if samples is None or samples.first is None:
+        inputs = _samples(generator, (lanes, steps, block.count), radius, kind)
+        before = _samples(generator, (lanes, steps), radius, kind)
+    else:
+        inputs, before = _smooth(generator, (lanes, steps, block.count), samples)
+    inputs = inputs.reshape(lanes, steps, block.size)
     attitudes = in_form(_attitudes(generator, (lanes, steps)), bundle.driver.setter)
     return Vectors(
         _restarts(generator, lanes, steps),
@@ -60,6 +68,34 @@ def draw(bundle: Bundle, rows: int, seed: int = 1) -> Vectors:
         _inside(to_words(bundle, block.name, before), block),
         _inside(to_words(bundle, block.name, inputs, bundle.driver.input_ctype), block),
     )
+
+
+def known_samples(bundle: Bundle) -> Samples | None:
+    """Return what fixed point relies on of samples that follow one another; None for floats."""
+    if isinstance(bundle.facts.number, Floating):
+        return None
+    return in_fixed_point(bundle.facts.design, bundle.facts.algorithm, bundle.facts.known, None).samples
+
+
+def _smooth(
+    generator: np.random.Generator, shape: tuple[int, int, int], samples: Samples
+) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return samples on circles, as fast as the declared differences allow, and the sample before each update."""
+    lanes, steps, count = shape
+    assert samples.first is not None
+    most = float(samples.largest)
+    size = most * np.where(generator.random(lanes) < 0.5, 1.0, generator.random(lanes) ** 2 + 2.0**-20)
+    turn = np.minimum(float(samples.first) / size, 2.0)
+    if samples.second is not None:
+        turn = np.minimum(turn, np.sqrt(float(samples.second) / size))
+    turn *= np.where(generator.random(lanes) < 0.7, 1.0, generator.random(lanes))
+    first = generator.standard_normal((lanes, 3))
+    first /= np.linalg.norm(first, axis=-1, keepdims=True)
+    second = np.cross(first, generator.standard_normal((lanes, 3)))
+    second /= np.linalg.norm(second, axis=-1, keepdims=True)
+    phase = turn[:, None] * np.arange(steps * count + 1) + generator.uniform(0, 2 * np.pi, (lanes, 1))
+    path = size[:, None, None] * (np.cos(phase)[..., None] * first[:, None] + np.sin(phase)[..., None] * second[:, None])
+    return path[:, 1:].reshape(lanes, steps, count, 3), path[:, :-1:count]
 
 
 def _inside(words: NDArray[Any], block: Block) -> NDArray[Any]:

@@ -231,7 +231,7 @@ class Matrix(Quantity):
     def row(self, index: int) -> Vector:
         """Return one of the three rows."""
         values = self.values[3 * index : 3 * index + 3]
-        return Vector(self.builder, values, self.builder.group("row", values, (self.group,)))
+        return Vector(self.builder, values, self.builder.group("row", values, (self.group,), Fraction(index)))
 
 
 def number(value: Number, like: Quantity) -> Scalar:
@@ -244,14 +244,14 @@ def number(value: Number, like: Quantity) -> Scalar:
 def vector(x: Scalar, y: Scalar, z: Scalar) -> Vector:
     """Return the vector of three scalars; nothing is calculated."""
     values = (x.value, y.value, z.value)
-    return Vector(x.builder, values, x.builder.group("other", values, (x.group, y.group, z.group)))
+    return Vector(x.builder, values, x.builder.group("together", values, (x.group, y.group, z.group)))
 
 
 def matrix(entries: Sequence[Scalar]) -> Matrix:
     """Return the matrix of nine scalars, row by row; nothing is calculated."""
     values = tuple(entry.value for entry in entries)
     builder = together(*entries)
-    return Matrix(builder, values, builder.group("other", values, [entry.group for entry in entries]))
+    return Matrix(builder, values, builder.group("together", values, [entry.group for entry in entries]))
 
 
 Q = TypeVar("Q", Scalar, Vector, Quaternion, Matrix)

@@ -160,7 +160,7 @@ def _least_product(p: Quaternion, q: Quaternion) -> Quaternion:
 def quaternion(scalar: Scalar, vector: Vector) -> Quaternion:
     """Return the quaternion [scalar, vector]; nothing is calculated."""
     values, builder = (*scalar.values, *vector.values), together(scalar, vector)
-    return Quaternion(builder, values, builder.group("other", values, (scalar.group, vector.group)))
+    return Quaternion(builder, values, builder.group("together", values, (scalar.group, vector.group)))
 
 
 def rotation(u: Scalar | Literal[0], v: Vector) -> Rotation | Quaternion:

@@ -6,7 +6,7 @@ maps into itself, roundings included. What else the state keeps is bounded by wh
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
@@ -23,7 +23,6 @@ from qcone.passes.qassign import Assigner, Formats
 from qcone.passes.sweep import sweep
 from qcone.passes.widen import widen
 
-DEBUG = False
 SPREADS = tuple(
     Fraction(each)
     for each in ("1/65536", "1/4096", "1/1024", "1/256", "1/64", "1/32", "1/16", "1/10", "3/20", "1/5", "3/10", "2/5", "1/2")
@@ -63,19 +62,31 @@ def to_fixed(program: Program, number: Fixed, declaration: Declaration, compensa
     return _FixedPoint(program, number, declaration, compensated).run()
 
 
+def _with_last_bits(declaration: Declaration, number: Fixed) -> Declaration:
+    """Return the declaration of samples that were rounded to words: differences may be larger by a last bit."""
+    if declaration.samples is None:
+        return declaration
+    lsb = 2 * number.ulp(declaration.samples.largest)
+    return replace(declaration, samples=replace(declaration.samples, lsb=lsb))
+
+
 class _FixedPoint:
     def __init__(self, program: Program, number: Fixed, declaration: Declaration, compensated: bool) -> None:
-        self.program, self.number, self.declaration = program, number, declaration
+        self.program, self.number = program, number
+        self.declaration = _with_last_bits(declaration, number)
         self.compensated = compensated
         self.held = program.state[0]
         self.fused = tuple(map(self._fused, program.routines))
         self.bounds: dict[str, Fraction] = {}
+        self.norms: dict[str, Fraction] = {}
 
     def run(self) -> FixedProgram:
         failed: UsageError | None = None
         for spread in self._spreads():
             self._settle(spread)
             signals, declared = self._signals(), self._declared(spread)
+            if not all(self._may_stay(routine, declared, spread) for routine in self.fused):
+                continue
             try:
                 done = [self._assigned(routine, signals, declared) for routine in self.fused]
             except UsageError as error:
@@ -126,9 +137,12 @@ class _FixedPoint:
         declared: dict[str, Declared] = {}
         signals = self._signals()
         for name in self._blocks():
-            if name in ("q", "c"):
+            if name == "q":
                 low, high = 1 - spread, 1 + spread
-                declared[name] = Declared((-high, high), (low if name == "q" else Fraction(0), high))
+                declared[name] = Declared((-high, high), (low, high))
+            elif name == "c":
+                high = 1 + spread
+                declared[name] = Declared((-high * high, high * high), (Fraction(0), high))
             elif name in ("q_nb", "c_nb"):
                 low, high = 1 - GIVEN, 1 + GIVEN
                 declared[name] = Declared((-high, high), (low, high))
@@ -139,7 +153,7 @@ class _FixedPoint:
                 declared[name] = Declared((-most, most), (Fraction(0), most))
             else:
                 most = self.bounds.get(name, Fraction(0))
-                declared[name] = Declared((-most, most))
+                declared[name] = Declared((-most, most), (Fraction(0), self.norms.get(name, Fraction(0))))
         return declared
 
     def _settle(self, spread: Fraction) -> None:
@@ -152,14 +166,43 @@ class _FixedPoint:
                 magnitudes = self._magnitudes(routine, declared)
                 if magnitudes is None:
                     continue
-                for statement in routine.body:
-                    if isinstance(statement, Write) and statement.place.block in open_blocks:
-                        name = statement.place.block
-                        most = magnitudes.of(statement.value) * Fraction(1025, 1024)
-                        if most > self.bounds.get(name, Fraction(0)):
-                            self.bounds[name], changed = most * Fraction(33, 32), True
+                written: dict[Place, int] = {
+                    each.place: each.value
+                    for each in routine.body
+                    if isinstance(each, Write) and each.place.block in open_blocks
+                }
+                moved = {
+                    each.result: each.place.block
+                    for each in routine.body
+                    if isinstance(each, Operation) and each.place is not None
+                }
+                written = {place: value for place, value in written.items() if moved.get(value) != place.block}
+                for place, value in written.items():
+                    changed |= self._grow(self.bounds, place.block, magnitudes.of(value))
+                for name, values in self._entries(written):
+                    changed |= self._grow(self.norms, name, self._length(magnitudes, routine, list(values))[1])
             if not changed:
                 return
+
+    @staticmethod
+    def _grow(known: dict[str, Fraction], name: str, size: Fraction) -> bool:
+        """Take a larger bound, with room for roundings; tell whether it was larger."""
+        size *= Fraction(1025, 1024)
+        if size <= known.get(name, Fraction(0)):
+            return False
+        known[name] = size * Fraction(33, 32)
+        return True
+
+    def _entries(self, written: Mapping[Place, int]) -> Iterator[tuple[str, tuple[int, ...]]]:
+        """Yield the values written to each entry of each block."""
+        blocks = self._blocks()
+        for name in dict.fromkeys(place.block for place in written):
+            size = blocks[name].shape.value
+            components = {place.index.constant: value for place, value in written.items() if place.block == name}
+            for entry in range(blocks[name].count):
+                values = [components.get(size * entry + part) for part in range(size)]
+                if None not in values:
+                    yield name, tuple(value for value in values if value is not None)
 
     def _magnitudes(self, routine: Routine, declared: Mapping[str, Declared]) -> Magnitudes | None:
         try:
@@ -181,21 +224,41 @@ class _FixedPoint:
         """Tell whether a routine writes only attitudes whose length is in the range, and what else was declared."""
         magnitudes = found.magnitudes
         assert magnitudes is not None
-        for place, value in assigner.written.items():
+        moved = {
+            each.result: each.place.block
+            for each in found.routine.body
+            if isinstance(each, Operation) and each.place is not None
+        }
+        written = {place: value for place, value in assigner.written.items() if moved.get(value) != place.block}
+        for place, value in written.items():
             bound = self.bounds.get(place.block)
             if bound is not None and place.block not in WHOLE_BITS and magnitudes.of(value) > bound:
                 return False
-        written = [value for place, value in assigner.written.items() if place.block == self.held.name]
-        if self.held.name == "rpy" or not written or self._is_kept(assigner.routine, written):
+        for name, values in self._entries({place: value for place, value in written.items() if place.block in self.norms}):
+            if self._length(magnitudes, found.routine, list(values))[1] > self.norms[name]:
+                return False
+        held = [value for place, value in assigner.written.items() if place.block == self.held.name]
+        return self._keeps_length(magnitudes, found.routine, held, spread)
+
+    def _may_stay(self, routine: Routine, declared: Mapping[str, Declared], spread: Fraction) -> bool:
+        """Tell whether a routine would keep the attitude's length in the range if nothing were rounded."""
+        magnitudes = self._magnitudes(routine, declared)
+        written = [
+            each.value
+            for each in routine.body
+            if isinstance(each, Write) and each.place.block == self.held.name
+        ]
+        return magnitudes is None or self._keeps_length(magnitudes, routine, written, spread)
+
+    def _keeps_length(self, magnitudes: Magnitudes, routine: Routine, written: list[int], spread: Fraction) -> bool:
+        if self.held.name == "rpy" or not written or self._is_kept(routine, written):
             return True
         size = 4 if self.held.name == "q" else 3
-        low, high = Fraction(0), Fraction(4)
         for entry in range(0, len(written), size):
-            a, b = self._length(magnitudes, found.routine, written[entry : entry + size])
-            if DEBUG: print(assigner.routine.name, float(a)-1, float(b)-1, float(spread))
-            if b > 1 + spread or (size == 4 and a < 1 - spread):
+            low, high = self._length(magnitudes, routine, written[entry : entry + size])
+            most = (1 + spread) ** 2 if (size, entry) == (3, 6) else 1 + spread
+            if high > most or (size == 4 and low < 1 - spread):
                 return False
-            low, high = max(low, a), min(high, b)
         return True
 
     @staticmethod

@@ -73,7 +73,9 @@ class Magnitudes:
         self._holding: dict[int, list[int]] = {}
         self._entry: dict[int, tuple[int, ...]] = {}
         self._read: dict[int, str] = {}
+        self._twins: dict[tuple[int, ...], list[int]] = {}
         for number, group in enumerate(routine.groups):
+            self._twins.setdefault(group.values, []).append(number)
             for value in group.values:
                 self._holding.setdefault(value, []).append(number)
         for statement in routine.body:
@@ -195,7 +197,7 @@ class Magnitudes:
         """Return the norm of a group, from and to; for one of a single value, its interval."""
         if number not in self._norms:
             group = self.routine.groups[number]
-            known = self._rule(number)
+            known = self._rules_together(group)
             if known is not None:
                 slop = self._slop(group)
                 low = known[0] - slop if len(group.values) == 1 else max(ZERO, known[0] - slop)
@@ -210,12 +212,18 @@ class Magnitudes:
             self._norms[number] = known
         return self._norms[number]
 
+    def _rules_together(self, group: Group) -> Interval | None:
+        """Return what all records of the same values say of them."""
+        found = [rule for twin in self._twins[group.values] if (rule := self._rule(twin)) is not None]
+        return (max(low for low, _ in found), min(high for _, high in found)) if found else None
+
     def _slop(self, group: Group) -> Fraction:
         errors = [self.errors.get(value if value >= 0 else ~value, ZERO) for value in group.values]
         return errors[0] if len(errors) == 1 else root_above(sum((each * each for each in errors), ZERO))
 
     def _rule(self, number: int) -> Interval | None:
         if number not in self._rules:
+            self._rules[number] = None  # a group put together of parts of another leads back to itself
             known, turn = self._by_kind(self.routine.groups[number]), self._turns.get(number)
             if turn is not None:
                 known = (ZERO, turn) if known is None else (min(known[0], turn), min(known[1], turn))
@@ -228,6 +236,8 @@ class Magnitudes:
             block = next((self._read[value] for value in group.values if value in self._read), group.block)
             known = self.declared.get(block)
             if known is not None:
+                if known.norm is not None and len(group.values) == 9:
+                    return (ZERO, known.norm[1] ** 2)
                 return known.interval if single else known.norm
             if group.norm is None:
                 return None
@@ -236,6 +246,23 @@ class Magnitudes:
             return (group.factor, group.factor)
         if group.kind in ("other", "root"):
             return None
+        if group.kind == "row" and self.routine.groups[group.operands[0]].kind == "input":
+            whole = self.routine.groups[group.operands[0]]
+            block = next((self._read[value] for value in whole.values if value in self._read), whole.block)
+            norm = self.declared[block].norm if block in self.declared else None
+            # What is declared holds of the first two rows; the third is their cross product.
+            return norm if norm is None or group.factor != 2 else (ZERO, norm[1] ** 2)
+        if group.kind == "together":
+            parts = [self.norm(operand) for operand in group.operands]
+            if any(each is None for each in parts):
+                return None
+            return (ZERO, root_above(sum((max(-each[0], each[1]) ** 2 for each in parts if each), ZERO)))
+        if group.kind == "part" and single:
+            # One component of what was put together is what it was before.
+            whole = self.routine.groups[group.operands[0]]
+            same = [each for each in whole.operands if self.routine.groups[each].values == group.values]
+            if whole.kind == "together" and same:
+                return self.norm(same[0])
         operands = [self.norm(operand) for operand in group.operands]
         if not operands or any(each is None for each in operands[:3]):
             return None

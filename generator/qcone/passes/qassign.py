@@ -87,6 +87,9 @@ class Assigner:
         self.forced: dict[int, Signal] = {}
         self.written: dict[Place, int] = {}
         self.split: set[int] = set()
+        self.indexed: Routine | None = None
+        self.made: dict[int, Operation] = {}
+        self.users: dict[int, list[Operation]] = {}
         self.names = dict(routine.names)
         self.grouped = {value for group in routine.groups for value in group.values}
         self.routine = self._with_written(routine)
@@ -419,9 +422,8 @@ class Assigner:
         """Tell whether rounding a value to so many fraction bits stays below the last bit of all that use it."""
         assert found.magnitudes is not None
         error = Fraction(2) ** -(bits + 1)
-        for statement in self.routine.body:
-            if not isinstance(statement, Operation) or value not in statement.args:
-                continue
+        self._index()
+        for statement in self.users.get(value, []):
             if not isinstance(statement.detail, Sum):
                 return False
             for term in statement.detail.terms:
@@ -453,17 +455,27 @@ class Assigner:
         return total
 
     def _movable(self, value: int) -> bool:
-        for statement in self.routine.body:
-            if isinstance(statement, Operation) and statement.result == value:
-                return statement.op in (RealOp.SUM, RealOp.CONSTANT, RealOp.WIDE, RealOp.SELECT)
-        return False
+        self._index()
+        operation = self.made.get(value)
+        return operation is not None and operation.op in (RealOp.SUM, RealOp.CONSTANT, RealOp.WIDE, RealOp.SELECT)
+
+    def _index(self) -> None:
+        """Note what makes every value and what uses it, once for each shape of the routine."""
+        if self.indexed is self.routine:
+            return
+        self.indexed = self.routine
+        operations = [each for each in self.routine.body if isinstance(each, Operation)]
+        self.made = {each.result: each for each in operations}
+        self.users = {}
+        for each in operations:
+            for arg in each.args:
+                self.users.setdefault(arg, []).append(each)
 
     def _shorten(self, value: int, at: int, over: int, found: Formats) -> bool:
         now = self.short.get((value, at), 0)
         signal = found.constants[value, at]
-        term = next(
-            each for each in self.routine.body if isinstance(each, Operation) and each.result == value
-        ).detail
+        self._index()
+        term = self.made[value].detail
         assert isinstance(term, Sum)
         raw = abs(nearest(term.terms[at].coefficient, signal)) / signal.lsb
         length = int(raw).bit_length()
