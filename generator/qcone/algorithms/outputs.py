@@ -29,10 +29,17 @@ from qcone.ir.real import (
     reciprocal_root,
     select,
     sine_cosine,
+    square_root,
     square_root_of_unit,
     step,
     vector,
+    wide,
+    within,
 )
+
+
+ABOVE_HALF_PI = F(15708, 10**4)
+ABOVE_ONE = F(129, 128)
 
 
 def euler_angles(q: Quaternion, convention: str) -> Vector:
@@ -55,6 +62,10 @@ def euler_angles(q: Quaternion, convention: str) -> Vector:
 
 
 def _pitch(up: Scalar, down: Scalar) -> Scalar:
+    if up.builder.writing.fixed:
+        # The squares are kept in double words: roots of single ones would lose half the digits at the poles.
+        angle = arctangent_2(square_root(wide(F(1, 4) * up)), square_root(wide(F(1, 4) * down)))
+        return within(angle + angle - PI / 2, -ABOVE_HALF_PI, ABOVE_HALF_PI)
     above = less(down, up)
     ratio = select(above, down, up) / select(above, up, down)
     angle = arctangent_2(square_root_of_unit(ratio), number(1, up))
@@ -64,8 +75,9 @@ def _pitch(up: Scalar, down: Scalar) -> Scalar:
 
 def wrapped(angle: Scalar) -> Scalar:
     """Write an angle of at most 2 pi in size as one of at most pi."""
-    angle = select(less(number(PI, angle), angle), angle - 2 * PI, angle)
-    return select(less(angle, -PI), angle + 2 * PI, angle)
+    most = 2 * ABOVE_HALF_PI
+    angle = within(select(less(number(PI, angle), angle), angle - 2 * PI, angle), -2 * most, most)
+    return within(select(less(angle, -PI), angle + 2 * PI, angle), -most, most)
 
 
 def quaternion_of(c: Matrix) -> Quaternion:
@@ -88,7 +100,7 @@ def quaternion_of(c: Matrix) -> Quaternion:
         parts = (first, second, third, fourth)
     largest = step("largest = the greatest of 4 w w, 4 x x, 4 y y, 4 z z", "Shepperd 1978", largest)
     scale = step("scale = 1/(2 sqrt(largest))", "", F(1, 2) * reciprocal_root(largest))
-    w, x, y, z = (scale * part for part in parts)
+    w, x, y, z = (within(scale * part, -ABOVE_ONE, ABOVE_ONE) for part in parts)
     return step("q_nb = scale (its row)", "Shepperd 1978", quaternion(w, vector(x, y, z)))
 
 

@@ -163,10 +163,10 @@ class IntegerText:
 
     def call(self, operation: Operation) -> tuple[str, tuple[str, ...]] | None:
         """Return the function an operation calls, and its constant arguments; None where it calls none."""
-        width = self.widths[operation.args[0]] if operation.args else 0
         if operation.op is MachineOp.SHIFT_RIGHT:
-            return shift_name(operation, width), ()
+            return shift_name(operation, self.widths[operation.args[0]]), ()
         if operation.op is MachineOp.CLAMP and isinstance(operation.detail, Limits):
+            width = self.widths[operation.args[0]]
             low, high = int(operation.detail.low), int(operation.detail.high)
             return clamp_name(operation, width), (integer(low, width), integer(high, width))
         return None

@@ -11,6 +11,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from qcone.errors import UsageError
+from qcone.ir.detail import Limits
 from qcone.ir.identifier import is_identifier
 from qcone.ir.index import Index
 from qcone.ir.operations import RealOp
@@ -72,6 +73,11 @@ class Builder:
         """Write one operation and return its value."""
         self._refuse_left(args)
         return self._define(op, args)
+
+    def clamp(self, value: int, low: Fraction, high: Fraction) -> int:
+        """Keep a value between two constants."""
+        self._refuse_left((value,))
+        return self._define(RealOp.CLAMP, (value,), detail=Limits(low, high))
 
     def read(self, block: Block, component: Index | int) -> int:
         """Read a component; an input or state component is read once a routine, at the place of its first use."""
@@ -189,11 +195,16 @@ class Builder:
     # -- inside ---------------------------------------------------------------------------------------
 
     def _define(
-        self, op: RealOp, args: tuple[int, ...], constant: Fraction | None = None, place: Place | None = None
+        self,
+        op: RealOp,
+        args: tuple[int, ...],
+        constant: Fraction | None = None,
+        place: Place | None = None,
+        detail: Limits | None = None,
     ) -> int:
         value = self._next
         self._next += 1
-        self._append(Operation(value, op, args, constant, place, self._step()))
+        self._append(Operation(value, op, args, constant, place, self._step(), detail=detail))
         return value
 
     def _refuse_left(self, values: Sequence[int]) -> None:

@@ -17,6 +17,9 @@ from qcone.ir.writing import Functions
 
 PI = Fraction(31415926535897932384626433832795028841971693993751, 10**49)
 """Pi, nearer than any format needs."""
+ABOVE_PI = Fraction(31416, 10**4)
+ARCTANGENT_END = Fraction(4143, 10**4)
+"""The largest argument of the arctangent's polynomial."""
 
 
 @dataclass(frozen=True)
@@ -25,6 +28,22 @@ class Condition:
 
     builder: Builder
     value: int
+
+
+def within(a: Scalar, low: Number, high: Number) -> Scalar:
+    """Return a, which lies between two numbers: in fixed point, where its range must be plain, as a clamp."""
+    if not a.builder.writing.fixed:
+        return a
+    value = a.builder.clamp(a.value, Fraction(low), Fraction(high))
+    return Scalar(a.builder, (value,), a.builder.group("other", (value,), (a.group,)))
+
+
+def wide(a: Scalar) -> Scalar:
+    """Return a, in fixed point in a word twice as wide: for what a root is taken of."""
+    if not a.builder.writing.fixed:
+        return a
+    value = a.builder.emit(RealOp.WIDE, a.value)
+    return Scalar(a.builder, (value,), a.builder.group("other", (value,), (a.group,)))
 
 
 def less(a: Scalar, b: Scalar | Number) -> Condition:
@@ -52,9 +71,10 @@ def reciprocal_root(t: Scalar) -> Scalar:
     """Return 1/sqrt(t) for 1 <= t <= 4: a polynomial and two Newton steps y (3 - t y^2)/2."""
     if t.builder.writing.functions is None:
         return 1 / sqrt(t)
-    y = horner(_chosen(t).reciprocal_root, t)
+    t = within(t, 1, 4)
+    y = within(horner(_chosen(t).reciprocal_root, t), Fraction(1, 4), Fraction(5, 4))
     for _ in range(2):
-        y = y + Fraction(1, 2) * y * (1 - t * (y * y))
+        y = within(y + Fraction(1, 2) * y * (1 - t * (y * y)), Fraction(1, 4), Fraction(5, 4))
     return y
 
 
@@ -62,10 +82,11 @@ def square_root(x: Scalar) -> Scalar:
     """Return sqrt(x) for 0 <= x < 1: x is brought to [1, 4) by powers of four, a selection each."""
     scale: Scalar = number(Fraction(1, 2), x)
     for power in _chosen(x).ladder:
-        small = less(x, Fraction(1, 4**power))
-        x = select(small, Fraction(4**power) * x, x)
+        end = Fraction(1, 4**power)
+        small = less(x, end)
+        x = select(small, Fraction(4**power) * within(x, 0, end), x)
         scale = select(small, Fraction(1, 2**power) * scale, scale)
-    t = Fraction(4) * x
+    t = within(Fraction(4) * x, 1, 4)
     return t * reciprocal_root(t) * scale
 
 
@@ -85,7 +106,10 @@ def arctangent_2(y: Scalar, x: Scalar) -> Scalar:
     past = less(functions.eighth * large, small)
     top = select(past, small - large, small)
     bottom = select(past, small + large, large)
-    t = top / select(less(number(0, large), large), bottom, 1)
+    if x.builder.writing.fixed:
+        t = within(top / within(bottom, functions.smallest, 8), -ARCTANGENT_END, ARCTANGENT_END)
+    else:
+        t = top / select(less(number(0, large), large), bottom, 1)
     square = t * t
     angle = t + t * (square * horner(functions.arctangent, square))
     angle = select(past, PI / 4 + angle, angle)
@@ -108,13 +132,14 @@ def sine_cosine(angle: Scalar) -> tuple[Scalar, Scalar]:
     functions = angle.builder.writing.functions
     if functions is None:
         return _operation(RealOp.SINE, angle), _operation(RealOp.COSINE, angle)
-    angle = select(less(number(PI, angle), angle), angle - 2 * PI, angle)
-    angle = select(less(angle, -PI), angle + 2 * PI, angle)
+    angle = within(select(less(number(PI, angle), angle), angle - 2 * PI, angle), -3 * ABOVE_PI, ABOVE_PI)
+    angle = within(select(less(angle, -PI), angle + 2 * PI, angle), -ABOVE_PI, ABOVE_PI)
     negative, size = magnitude(angle)
+    size = within(size, 0, ABOVE_PI)
     obtuse = less(number(PI / 2, size), size)
-    size = select(obtuse, PI - size, size)
+    size = within(select(obtuse, PI - size, size), 0, ABOVE_PI / 2)
     steep = less(number(PI / 4, size), size)
-    t = select(steep, PI / 2 - size, size)
+    t = within(select(steep, PI / 2 - size, size), 0, ABOVE_PI / 4)
     square = t * t
     sine = t + t * (square * horner(functions.sine, square))
     cosine = 1 + square * horner(functions.cosine, square)

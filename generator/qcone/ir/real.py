@@ -17,7 +17,10 @@ from qcone.ir.functions import (
     reciprocal_root,
     select,
     sine_cosine,
+    square_root,
     square_root_of_unit,
+    wide,
+    within,
 )
 from qcone.ir.index import Index
 from qcone.ir.indexed import History, history, loop, table
@@ -79,9 +82,12 @@ __all__ = [
     "sine_cosine",
     "sqrt",
     "square_of_length",
+    "square_root",
     "square_root_of_unit",
     "step",
     "subroutine",
     "table",
     "vector",
+    "wide",
+    "within",
 ]

@@ -30,7 +30,8 @@ def choose_functions(number: Floating) -> Functions:
     ladder = tuple(1 << k for k in reversed(range((2 * number.precision).bit_length() - 1)))
     goal = number.ulp(Fraction(1)) / 4
     sine, cosine = _trigonometric(3, goal), _trigonometric(2, goal)
-    return Functions(_arctangent(goal), EIGHTH, _reciprocal_root(number), ladder, sine, cosine)
+    smallest = Fraction(16, 2**number.precision)
+    return Functions(_arctangent(goal), EIGHTH, _reciprocal_root(number), ladder, sine, cosine, smallest)
 
 
 def _arctangent(goal: Fraction) -> tuple[Fraction, ...]:

@@ -119,7 +119,9 @@ class _Lowering:
             case RealOp.CLAMP:
                 assert isinstance(operation.detail, Limits) and signal is not None
                 lsb = signal.lsb
-                limits = Limits(Fraction(-(-operation.detail.low // lsb)), Fraction(operation.detail.high // lsb))
+                most = self.signals[args[0]].most
+                low = max(-(-operation.detail.low // lsb), -most)
+                limits = Limits(Fraction(low), Fraction(min(operation.detail.high // lsb, most)))
                 self.body.append(
                     replace(operation, op=MachineOp.CLAMP, args=args, format=signal, detail=limits, bound=bound)
                 )

@@ -200,7 +200,8 @@ class Assigner:
                 fraction = number.signal(most).fraction
                 top, bottom = (found.signals[arg] for arg in operation.args)
                 size = found.magnitudes.of(operation.args[0])
-                while size * Fraction(2) ** (fraction + bottom.fraction) >= 2 ** (number.wide - 1):
+                room = 2 ** (number.wide - 1)
+                while max(size * Fraction(2) ** bottom.fraction, bound) * Fraction(2) ** fraction >= room:
                     fraction -= 1
                 return Signal(number.wide, max(fraction, top.fraction - bottom.fraction))
         raise AssertionError(operation.op)
@@ -313,6 +314,11 @@ class Assigner:
         mended = False
         for statement in self.routine.body:
             if isinstance(statement, Operation) and isinstance(statement.detail, Sum):
+                broad = self._broad_factor(statement.detail, found)
+                if broad is not None:
+                    mended = True
+                    body.extend(self._narrowed(statement, broad))
+                    continue
                 over = self._over(statement, found)
                 if over > 0:
                     mended = True
@@ -325,6 +331,32 @@ class Assigner:
         if mended:
             self.routine = replace(self.routine, body=tuple(body), names=self.names)
         return mended
+
+    def _broad_factor(self, detail: Sum, found: Formats) -> int | None:
+        """Return a factor of a product that is wider than a word; None when there is none."""
+        for term in detail.terms:
+            if len(term.args) == 2 or not is_power_of_two(term.coefficient):
+                for arg in term.args:
+                    if found.signals[arg].width > self.number.width:
+                        return arg
+        return None
+
+    def _narrowed(self, operation: Operation, broad: int) -> list[Statement]:
+        """Round a factor to a word first."""
+        assert isinstance(operation.detail, Sum)
+        value = self._fresh()
+        name = self.names.get(broad)
+        if name:
+            self.names[value] = f"{name}_upper"
+        first = Sum((Term(Fraction(1), (broad,)),))
+        made = Operation(value, RealOp.SUM, (broad,), step=operation.step, detail=first)
+        terms = tuple(
+            replace(term, args=tuple(value if arg == broad else arg for arg in term.args))
+            if len(term.args) == 2 or not is_power_of_two(term.coefficient)
+            else term
+            for term in operation.detail.terms
+        )
+        return [made, replace(operation, args=_args(terms), detail=replace(operation.detail, terms=terms))]
 
     def _free_of_bias(self, found: Formats) -> bool:
         """Round what was split off a sum to the sum's own last bit where that would drop only few bits after all.
