@@ -84,7 +84,7 @@ def square_root(x: Scalar) -> Scalar:
     for power in _chosen(x).ladder:
         end = Fraction(1, 4**power)
         small = less(x, end)
-        x = select(small, Fraction(4**power) * within(x, 0, end), x)
+        x = select(small, wide(Fraction(4**power) * within(x, 0, end)), x)
         scale = select(small, Fraction(1, 2**power) * scale, scale)
     t = within(Fraction(4) * x, 1, 4)
     return t * reciprocal_root(t) * scale

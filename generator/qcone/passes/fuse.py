@@ -42,6 +42,8 @@ class _Fusion:
                     self.uses[statement.value] += 1
         self.sums: dict[int, Terms] = {}
         self.origin: dict[int, Operation] = {}
+        self.as_values: set[int] = set()
+        """Constants that are needed as values, beside the sums that take them in."""
         self.names = dict(routine.names)
         self.body: list[Statement] = []
 
@@ -120,8 +122,9 @@ class _Fusion:
         if len(terms) == 1 and terms[0].coefficient == 1 and len(terms[0].args) == 1:
             return terms[0].args[0]
         if self.origin[value].op is RealOp.CONSTANT:
-            self.body.append(self.origin[value])
-            del self.sums[value]
+            if value not in self.as_values:
+                self.as_values.add(value)
+                self.body.append(self.origin[value])
             return value
         self._keep(value)
         return value
