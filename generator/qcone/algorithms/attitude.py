@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from qcone.ir.real import F, Matrix, Quaternion, cross, dot, matrix, named, shortened, square_of_length, step
+from qcone.ir.real import F, Matrix, Quaternion, cross, dot, matrix, named, recorded_square, shortened, step
 
 
 def dcm_squares(q: Quaternion) -> Matrix:
@@ -63,6 +63,8 @@ def orthonormalised(c: Matrix) -> Matrix:
 
 def normalised(q: Quaternion) -> Quaternion:
     """Write q (3 - |q|^2)/2 as q + e q, e = (1 - |q|^2)/2: one Newton step, no root, no division."""
-    square = step("q_square = |q|^2", "", square_of_length(q))
+    w, x, y, z = q
+    square = step("q_square = |q|^2", "", w * w + x * x + y * y + z * z)
+    recorded_square(square, q)
     e = step("e = (1 - |q|^2)/2", "", F(1, 2) * (1 - square))
     return shortened(q, step("q_next = q + e q", "", q + e * q))

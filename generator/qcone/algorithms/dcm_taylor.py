@@ -31,6 +31,8 @@ from qcone.ir.real import (
     loop,
     named,
     number,
+    recorded_products,
+    recorded_sum,
     rows,
     step,
     table,
@@ -80,6 +82,7 @@ def _row(name: str, row: Vector, w: History, n: int, order: int) -> Vector:
     for i in loop("i", row, 0, 2):
         total[i] = zero
     heading(f"{name}_0 = a row of C", "xu2019 (12)", row)
+    terms: list[Vector] = []
     for k in loop("n", row, 1, order):
         for i in loop("i", row, 0, 2):
             t[i] = zero
@@ -92,8 +95,28 @@ def _row(name: str, row: Vector, w: History, n: int, order: int) -> Vector:
             total[i] = total[i] + v[base + i]
         v[base + 3] = v[base]
         v[base + 4] = v[base + 1]
+        if isinstance(k, int):
+            terms.append(_record(v, w, k, n))
         heading(f"{name}_{k} = 1/{k} sum_j {name}_({k}-1-j) x W_j", "xu2019 (13)", row)
-    return step(f"d{name} = sum {name}_n", "xu2019 (12)", vector(total[0], total[1], total[2]))
+    change = step(f"d{name} = sum {name}_n", "xu2019 (12)", vector(total[0], total[1], total[2]))
+    recorded_sum(change, terms)
+    return change
+
+
+def _record(v: History, w: History, k: int, n: int) -> Vector:
+    """Return the term v_k as a vector, on record as 1/k sum_j v_(k-1-j) x W_j."""
+
+    def at(index: int) -> Vector:
+        return vector(v[index], v[index + 1], v[index + 2])
+
+    term = at(5 * (k + n - 1))
+    lags = range(min(k, n))
+    recorded_products(term, [(at(5 * (k - 1 - j + n - 1)), _coefficient(w, j)) for j in lags], F(1, k))
+    return term
+
+
+def _coefficient(w: History, j: int) -> Vector:
+    return vector(w[5 * j], w[5 * j + 1], w[5 * j + 2])
 
 
 def _component(name: str, part: Index | int, value: Scalar) -> Scalar:

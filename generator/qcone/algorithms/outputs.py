@@ -37,7 +37,6 @@ from qcone.ir.real import (
     within,
 )
 
-
 ABOVE_HALF_PI = F(15708, 10**4)
 ABOVE_ONE = F(129, 128)
 

@@ -35,6 +35,8 @@ from qcone.ir.real import (
     named,
     number,
     quaternion,
+    recorded_products,
+    recorded_sum,
     rotation,
     step,
     table,
@@ -90,6 +92,7 @@ def _terms(a: History, like: Vector, n: int, order: int, sums: int) -> list[Quat
     for i in loop("i", like, 0, 4 * sums - 1):
         totals[i] = zero
     heading("r_0 = 1", "xu2019 (8)", like)
+    terms: list[Quaternion] = []
     for k in loop("n", like, 1, order):
         for i in loop("i", like, 0, 3):
             t[i] = zero
@@ -103,9 +106,28 @@ def _terms(a: History, like: Vector, n: int, order: int, sums: int) -> list[Quat
                 totals[4 * s + i] = totals[4 * s + i] + term
         r[base + 4] = r[base + 1]
         r[base + 5] = r[base + 2]
+        if isinstance(k, int):
+            terms.append(_record(r, a, k, n))
         heading(f"r_{k} = 1/{k} sum_j r_({k}-1-j) (x) A_j", "xu2019 (7)", like)
     parts = [[totals[4 * s + i] for i in range(4)] for s in range(sums)]
-    return [quaternion(w, vector(x, y, z)) for w, x, y, z in parts]
+    whole = [quaternion(w, vector(x, y, z)) for w, x, y, z in parts]
+    for each in whole:
+        recorded_sum(each, terms)
+    return whole
+
+
+def _record(r: History, a: History, k: int, n: int) -> Quaternion:
+    """Return the term r_k as a quaternion, on record as 1/k sum_j r_(k-1-j) (x) A_j."""
+
+    def at(index: int) -> Quaternion:
+        return quaternion(r[index], vector(r[index + 1], r[index + 2], r[index + 3]))
+
+    term = at(6 * (k + n - 1))
+    pairs = [
+        (at(6 * (k - 1 - j + n - 1)), vector(a[5 * j], a[5 * j + 1], a[5 * j + 2])) for j in range(min(k, n))
+    ]
+    recorded_products(term, pairs, F(1, k))
+    return term
 
 
 def _add_product(t: History, r: History, base: Number, a: History, lag: Number, like: Vector) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
+from qcone.backends.c_fixed import IntegerText, furniture
 from qcone.backends.c_source import (
     components,
     functions,
@@ -12,7 +13,6 @@ from qcone.backends.c_source import (
     result_array,
     unused,
 )
-from qcone.backends.c_fixed import IntegerText, furniture
 from qcone.backends.c_state import field, state_fields, state_initialiser
 from qcone.backends.parse_back import (
     Line,

@@ -26,6 +26,7 @@ from qcone.ir.index import Index
 from qcone.ir.indexed import History, history, loop, table
 from qcone.ir.labels import heading, named, step
 from qcone.ir.operations import RealOp
+from qcone.ir.records import recorded_products, recorded_square, recorded_sum
 from qcone.ir.specification import Algorithm, Phase, Source, algorithm
 from qcone.ir.statement import Block, Role, Routine, Shape
 from qcone.ir.subroutine import subroutine
@@ -37,7 +38,6 @@ from qcone.ir.update import (
     quaternion,
     rotation,
     shortened,
-    square_of_length,
 )
 
 __all__ = [
@@ -75,13 +75,15 @@ __all__ = [
     "number",
     "quaternion",
     "reciprocal_root",
+    "recorded_products",
+    "recorded_square",
+    "recorded_sum",
     "rotation",
     "rows",
     "select",
     "shortened",
     "sine_cosine",
     "sqrt",
-    "square_of_length",
     "square_root",
     "square_root_of_unit",
     "step",

@@ -131,15 +131,11 @@ class Rotation:
 
 def _with_renormalisation(q: Quaternion, u: Scalar | None) -> Scalar:
     """Write e = (1 - |q|^2)/2 and return the scalar part u + e."""
-    square = step("q_square = |q|^2", "", square_of_length(q))
+    value = products.dot(q.builder.emit, q.values, q.values)
+    square = Scalar(q.builder, (value,), q.builder.group("dot", (value,), (q.group, q.group)))
+    square = step("q_square = |q|^2", "", square)
     e = step("e = (1 - |q|^2)/2", "renormalisation, folded into the scalar part", Fraction(1, 2) * (1 - square))
     return e if u is None else step("a = u + e", "", u + e)
-
-
-def square_of_length(q: Quaternion) -> Scalar:
-    """Return |q|^2, the scalar part's square first."""
-    value = products.dot(q.builder.emit, q.values, q.values)
-    return Scalar(q.builder, (value,), q.builder.group("dot", (value,), (q.group, q.group)))
 
 
 def shortened(before: Quaternion | Vector, after: Q, crossed: bool = False) -> Q:

@@ -12,9 +12,9 @@ from fractions import Fraction
 
 from qcone.errors import UsageError
 from qcone.formats.fixed import Fixed, Signal
+from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Block, Choose, Operation, Place, Program, Role, Routine, Statement, Write, unused
-from qcone.ir.index import Index
 from qcone.passes.expand import expand
 from qcone.passes.fuse import fuse
 from qcone.passes.lower_fixed import Residual, lower_fixed, residual_block
@@ -25,7 +25,7 @@ from qcone.passes.widen import widen
 
 SPREADS = tuple(
     Fraction(each)
-    for each in ("1/65536", "1/4096", "1/1024", "1/256", "1/64", "1/32", "1/16", "1/10", "3/20", "1/5", "3/10", "2/5", "1/2")
+    for each in ("1/65536", "1/4096", "1/1024", "1/256", "1/64", "1/32", "1/16", "1/10", "3/20", "1/5", "11/50", "3/10", "2/5", "1/2")
 )
 """How far from 1 the attitude's length may be: the least of these that the updates keep."""
 RESIDUAL = "residual"
@@ -41,7 +41,8 @@ WHOLE_BITS = {"q": 1, "c": 1, "rpy": 2, "q_nb": 1, "c_nb": 1, "angles": 2}
 @dataclass(frozen=True)
 class Declaration:
     """What is declared of inputs: norms of the vectors handed in, their differences in time, and what follows for
-    the rotation vector of one update, rad."""
+    the rotation vector of one update, rad.
+    """
 
     inputs: Mapping[str, Fraction] = field(hash=False)
     samples: Samples | None = None
@@ -79,10 +80,11 @@ class _FixedPoint:
         self.fused = tuple(map(self._fused, program.routines))
         self.bounds: dict[str, Fraction] = {}
         self.norms: dict[str, Fraction] = {}
+        self.nearest = True
 
     def run(self) -> FixedProgram:
         failed: UsageError | None = None
-        for spread in self._spreads():
+        for spread, self.nearest in self._spreads():
             self._settle(spread)
             signals, declared = self._signals(), self._declared(spread)
             if not all(self._may_stay(routine, declared, spread) for routine in self.fused):
@@ -108,9 +110,16 @@ class _FixedPoint:
 
     # -- blocks ---------------------------------------------------------------------------------------
 
-    def _spreads(self) -> tuple[Fraction, ...]:
-        """Return the ranges to be tried: an attitude of angles has no length to be kept."""
-        return SPREADS if self.held.name != "rpy" else (GIVEN,)
+    def _spreads(self) -> Iterator[tuple[Fraction, bool]]:
+        """Yield the ranges to be tried, first with a least length and then without.
+
+        An attitude of angles has no length to be kept, nor has one that every update brings back only from above.
+        """
+        if self.held.name == "rpy":
+            yield GIVEN, False
+            return
+        for kept in (True, False):
+            yield from ((spread, kept) for spread in SPREADS)
 
     def _blocks(self) -> dict[str, Block]:
         blocks = {block.name: block for block in self.program.state if not block.integer}
@@ -139,7 +148,7 @@ class _FixedPoint:
         for name in self._blocks():
             if name == "q":
                 low, high = 1 - spread, 1 + spread
-                declared[name] = Declared((-high, high), (low, high))
+                declared[name] = Declared((-high, high), (low if self.nearest else Fraction(0), high))
             elif name == "c":
                 high = 1 + spread
                 declared[name] = Declared((-high * high, high * high), (Fraction(0), high))
@@ -257,7 +266,7 @@ class _FixedPoint:
         for entry in range(0, len(written), size):
             low, high = self._length(magnitudes, routine, written[entry : entry + size])
             most = (1 + spread) ** 2 if (size, entry) == (3, 6) else 1 + spread
-            if high > most or (size == 4 and low < 1 - spread):
+            if high > most or (size == 4 and self.nearest and low < 1 - spread):
                 return False
         return True
 

@@ -18,7 +18,6 @@ from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Block, Operation, Role, Routine, Shape, Statement, Write, unused
-from qcone.passes.fuse import is_power_of_two
 from qcone.passes.qassign import Assigner, Formats, nearest
 
 

@@ -209,8 +209,29 @@ class Magnitudes:
                 else:
                     most = root_above(sum((max(-a, b) ** 2 for a, b in own), ZERO))
                     known = (ZERO, most) if known is None else (known[0], min(known[1], most))
+            together = self._one_form(group.values)
+            if together is not None:
+                most = self._form_bound(*together)
+                known = (ZERO, most) if known is None else (min(known[0], most), min(known[1], most))
             self._norms[number] = known
         return self._norms[number]
+
+    def _one_form(self, values: tuple[int, ...]) -> tuple[dict[tuple[str, int], Fraction], Fraction] | None:
+        """Return the weighted sum of sample vectors that three components are; None where they are none together.
+
+        What is declared of samples and their differences are norms, so one bound holds for the vector.
+        """
+        forms = [self._forms.get(value) for value in values]
+        if len(values) != 3 or self.samples is None or any(form is None for form in forms):
+            return None
+        at = self.samples.at
+        rows = [{(key[0], at[key][1]): abs(factor) for key, factor in form[0].items()} for form in forms if form]
+        axes = {at[key][0] for form in forms if form for key in form[0]}
+        if rows[0] != rows[1] or rows[0] != rows[2] or len(axes) != 3:
+            return None
+        first = forms[0]
+        assert first is not None
+        return first[0], 2 * max(form[1] for form in forms if form)
 
     def _rules_together(self, group: Group) -> Interval | None:
         """Return what all records of the same values say of them."""
@@ -264,6 +285,13 @@ class Magnitudes:
             if whole.kind == "together" and same:
                 return self.norm(same[0])
         operands = [self.norm(operand) for operand in group.operands]
+        if group.kind in ("products", "sums") and group.factor is not None:
+            ends = [each[1] for each in operands if each is not None]
+            if len(ends) < len(operands):
+                return None
+            if group.kind == "products":
+                ends = [a * b for a, b in zip(ends[::2], ends[1::2], strict=True)]
+            return (ZERO, abs(group.factor) * sum(ends, ZERO))
         if not operands or any(each is None for each in operands[:3]):
             return None
         known_operands = [each for each in operands[:3] if each is not None]

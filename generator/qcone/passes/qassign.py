@@ -534,7 +534,7 @@ class Assigner:
 
     @staticmethod
     def _is_linear(term: Term) -> bool:
-        return len(term.args) < 2 and is_power_of_two(term.coefficient) or not term.args
+        return (len(term.args) < 2 and is_power_of_two(term.coefficient)) or not term.args
 
     def _split(self, operation: Operation, members: list[int]) -> list[Statement]:
         assert isinstance(operation.detail, Sum)
