@@ -80,11 +80,11 @@ class _FixedPoint:
         self.fused = tuple(map(self._fused, program.routines))
         self.bounds: dict[str, Fraction] = {}
         self.norms: dict[str, Fraction] = {}
-        self.nearest = True
+        self.nearest, self.spare = True, 0
 
     def run(self) -> FixedProgram:
         failed: UsageError | None = None
-        for spread, self.nearest in self._spreads():
+        for self.spare, spread, self.nearest in self._spreads():
             self._settle(spread)
             signals, declared = self._signals(), self._declared(spread)
             if not all(self._may_stay(routine, declared, spread) for routine in self.fused):
@@ -110,16 +110,18 @@ class _FixedPoint:
 
     # -- blocks ---------------------------------------------------------------------------------------
 
-    def _spreads(self) -> Iterator[tuple[Fraction, bool]]:
-        """Yield the ranges to be tried, first with a least length and then without.
+    def _spreads(self) -> Iterator[tuple[int, Fraction, bool]]:
+        """Yield what is to be tried: spare bits of a wide state, how far from 1 the length may be, a least length.
 
         An attitude of angles has no length to be kept, nor has one that every update brings back only from above.
+        A partial sum on the way to a new attitude may be longer than the attitude itself: then spare bits help.
         """
         if self.held.name == "rpy":
-            yield GIVEN, False
+            yield 0, GIVEN, False
             return
-        for kept in (True, False):
-            yield from ((spread, kept) for spread in SPREADS)
+        for spare in (0, 1) if self.compensated else (0,):
+            for kept in (True, False):
+                yield from ((spare, spread, kept) for spread in SPREADS)
 
     def _blocks(self) -> dict[str, Block]:
         blocks = {block.name: block for block in self.program.state if not block.integer}
@@ -139,7 +141,8 @@ class _FixedPoint:
             else:
                 signals[name] = self.number.signal(self.bounds.get(name, Fraction(0)))
         if self.compensated:
-            signals[self.held.name] = Signal(2 * width, 2 * width - 1 - WHOLE_BITS[self.held.name])
+            whole = WHOLE_BITS[self.held.name] + self.spare
+            signals[self.held.name] = Signal(2 * width, 2 * width - 1 - whole)
         return signals
 
     def _declared(self, spread: Fraction) -> dict[str, Declared]:

@@ -418,6 +418,11 @@ class Assigner:
         terms = operation.detail.terms
         finest, bits = found.accumulated(operation)
         top = [at for at, each in enumerate(bits) if each == finest]
+        own = found.signals[operation.result]
+        if finest <= own.fraction and own.width == self.number.wide:
+            if operation.result in self.forced:
+                raise self._no_room(operation, over)
+            self.caps[operation.result] = own.fraction - over
         if all((operation.result, at) in found.constants for at in top):
             if all(self._shorten(operation.result, at, over, found) for at in top):
                 return None
@@ -478,7 +483,8 @@ class Assigner:
         total = Fraction(0)
         for arg in term.args:
             if self._movable(arg):
-                size = abs(term.coefficient) * found.signals[arg].lsb / 2
+                # By its own bound, not as it is kept now: else one loss would justify the next.
+                size = abs(term.coefficient) * self.number.ulp(found.magnitudes.of(arg)) / 2
                 others = list(term.args)
                 others.remove(arg)
                 for other in others:
