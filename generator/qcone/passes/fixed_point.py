@@ -119,7 +119,7 @@ class _FixedPoint:
         if self.held.name == "rpy":
             yield 0, GIVEN, False
             return
-        for spare in (0, 1) if self.compensated else (0,):
+        for spare in (0, 1, 2) if self.compensated else (0,):
             for kept in (True, False):
                 yield from ((spare, spread, kept) for spread in SPREADS)
 
