@@ -10,11 +10,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
+from qcone import sensor
 from qcone import state_routines as around
 from qcone.algorithms import increments
 from qcone.design import Design
 from qcone.errors import UsageError
-from qcone.formats.fixed import WIDTHS
+from qcone.formats.fixed import WIDTHS, Signal
 from qcone.ir import trace
 from qcone.ir.blocks import Vector, of
 from qcone.ir.builder import Builder
@@ -46,6 +47,8 @@ class Declaration:
     interval: Fraction
     rate: Fraction
     increment: Fraction
+    limit: Fraction
+    """What each component handed in is limited to, in its unit, where the design clamps inputs."""
 
 
 def declaration(design: Design, algorithm: Algorithm) -> Declaration:
@@ -56,10 +59,11 @@ def declaration(design: Design, algorithm: Algorithm) -> Declaration:
         increment = increments.gain(algorithm.subsamples, design.increments) * interval * rate
     else:
         increment = rate * interval / algorithm.subsamples
+    limit = rate if design.input == "rate" else increment
     if design.number.clamp_inputs:
         # Each component is limited by itself: the corner of that cube is sqrt(3) away.
         rate, increment = rate * ROOT_3_ABOVE, increment * ROOT_3_ABOVE
-    return Declaration(interval, round_up(rate, 8), round_up(increment, 8))
+    return Declaration(interval, round_up(rate, 8), round_up(increment, 8), round_up(limit, 8))
 
 
 def in_fixed_point(
@@ -73,7 +77,12 @@ def in_fixed_point(
         "omega_last": known.rate,
     }
     turn = exponential.phi_max if exponential else None
-    return fixed_point.Declaration(inputs, _samples(design, algorithm, known), turn)
+    whole: dict[str, Fraction] = {}
+    if design.input == "counts":
+        whole["counts"] = Fraction(sensor.largest_count(design))
+        inputs["dtheta"] = known.increment
+    unlimited = frozenset({"dtheta", "omega"} if design.number.clamp_inputs else ())
+    return fixed_point.Declaration(inputs, _samples(design, algorithm, known), turn, whole, unlimited)
 
 
 def _samples(design: Design, algorithm: Algorithm, known: Declaration) -> Samples:
@@ -90,6 +99,8 @@ def _samples(design: Design, algorithm: Algorithm, known: Declaration) -> Sample
     def bound(declared: Fraction | None, scale: Fraction) -> Fraction | None:
         return None if declared is None else round_up(declared * PI_ABOVE / 180 * scale, 8)
 
+    if design.input == "counts":
+        at = {}
     acceleration, jerk = design.imu.max_angular_acceleration_dps2, design.imu.max_jerk_dps3
     return Samples(largest, bound(acceleration, unit), bound(jerk, unit * spacing), at)
 
@@ -131,7 +142,8 @@ def assemble(algorithm: Algorithm, design: Design, writing: Writing) -> Program:
     held, blocks = state[0], {block.name: block for block in state}
     routines = [around.initial(state, writing), around.setter(state, writing)]
     if "omega_last" in blocks:
-        routines.append(around.start(blocks["omega_last"], writing))
+        limit = declaration(design, algorithm).limit if design.number.clamp_inputs else None
+        routines.append(around.start(blocks["omega_last"], writing, limit))
     routines += _update_routines(algorithm, design, writing)
     if design.renormalise == "separate" and not writing.as_written and held.name != "rpy":
         routines.append(around.renormalise(held, writing))
@@ -202,12 +214,17 @@ def _update(algorithm: Algorithm, author: Author, design: Design, writing: Writi
     known = declaration(design, algorithm)
     state = _state(algorithm, design)
     held, rates = state[0], design.input == "rate"
-    unit, norm = ("rad/s", known.rate) if rates else ("rad", known.increment)
-    given = Block("omega" if rates else "dtheta", Shape.VECTOR, Role.INPUT, algorithm.subsamples, unit, norm)
+    given = _given(design, algorithm, known)
+    norm = given.norm or known.increment
     builder = Builder(name, (*state, given), writing, trace.heading(author))
     arguments: dict[str, object] = {held.name: around.read(builder, held, 0), "interval": known.interval}
     samples = [_entry(builder, given, k, norm) for k in range(algorithm.subsamples)]
     builder.label(Step(f"attitude and input{_said(design.axes)}"))
+    if design.input == "counts":
+        samples = sensor.increments_of_counts(samples, design, known.interval, known.increment)
+    elif design.number.clamp_inputs:
+        samples = [sensor.clamped(builder, each, known.limit, norm) for each in samples]
+        builder.label(Step("each component limited to the declared range"))
     if rates:
         last = next(block for block in state if block.name == "omega_last")
         samples.insert(0, _entry(builder, last, 0, norm))
@@ -229,7 +246,7 @@ def _update(algorithm: Algorithm, author: Author, design: Design, writing: Writi
     result, kept = trace.attitude(algorithm.name, author, builder, arguments)
     around.write(builder, held, 0, result)
     if rates:
-        around.write_raw(builder, last, given, algorithm.subsamples - 1)
+        around.write(builder, last, 0, samples[-1])
     if algorithm.previous:
         for k, vector in enumerate((*reversed(made), *before)[: algorithm.previous]):
             around.write(builder, next(block for block in state if block.name == "previous"), k, vector)
@@ -238,6 +255,15 @@ def _update(algorithm: Algorithm, author: Author, design: Design, writing: Writi
             around.write(builder, block, k, quantity)
     builder.label(Step("store"))
     return builder.routine("Advance the attitude by one update.")
+
+
+def _given(design: Design, algorithm: Algorithm, known: Declaration) -> Block:
+    """Return the block an update is handed: increments, rates or whole counts."""
+    if design.input == "counts":
+        unit = "whole counts of the gyro, sensor axes"
+        return Block("counts", Shape.VECTOR, Role.INPUT, algorithm.subsamples, unit, format=Signal(sensor.COUNT_BITS, 0))
+    name, unit, norm = ("omega", "rad/s", known.rate) if design.input == "rate" else ("dtheta", "rad", known.increment)
+    return Block(name, Shape.VECTOR, Role.INPUT, algorithm.subsamples, unit, norm)
 
 
 def _entry(builder: Builder, block: Block, entry: int, norm: Fraction) -> Vector:

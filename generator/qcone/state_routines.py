@@ -14,6 +14,7 @@ from qcone.ir.builder import Builder
 from qcone.ir.index import Index
 from qcone.ir.statement import Block, Place, Ready, Role, Routine, Shape, Step
 from qcone.ir.writing import Writing
+from qcone.sensor import clamped
 
 ATTITUDES = {
     "quaternion": Block(
@@ -67,11 +68,16 @@ def setter(state: tuple[Block, ...], writing: Writing) -> Routine:
     return builder.routine(f"Set the attitude{once} and clear the history.")
 
 
-def start(omega_last: Block, writing: Writing) -> Routine:
-    """Write `start`: the rate sample at the start of the first update."""
+def start(omega_last: Block, writing: Writing, limit: Fraction | None = None) -> Routine:
+    """Write `start`: the rate sample at the start of the first update, limited to `limit` where there is one."""
     given = Block("omega", Shape.VECTOR, Role.INPUT, unit="rad/s")
     builder = Builder("start", (omega_last, given), writing)
-    write_raw(builder, omega_last, given, 0)
+    taken = read(builder, given, 0)
+    if limit is not None:
+        assert isinstance(taken, Vector)
+        taken = clamped(builder, taken, limit, limit)
+        builder.label(Step("each component limited to the declared range"))
+    write(builder, omega_last, 0, taken)
     return builder.routine("Take the rate sample at the start of the first update.")
 
 
@@ -162,8 +168,3 @@ def write(builder: Builder, block: Block, entry: int, quantity: Quantity) -> Non
         builder.write(block, block.shape.value * entry + part, value)
 
 
-def write_raw(builder: Builder, block: Block, source: Block, entry: int) -> None:
-    """Store one entry of an input block as it was given."""
-    values = [builder.read(source, block.shape.value * entry + part) for part in range(block.size)]
-    for part, value in enumerate(values):
-        builder.write(block, Index(part), value)

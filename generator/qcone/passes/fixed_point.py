@@ -47,6 +47,10 @@ class Declaration:
     inputs: Mapping[str, Fraction] = field(hash=False)
     samples: Samples | None = None
     turn: Fraction | None = None
+    counts: Mapping[str, Fraction] = field(default_factory=dict, hash=False)
+    """The largest whole count of a block of counts."""
+    unlimited: frozenset[str] = frozenset()
+    """Blocks that may hold any word: the routine limits them itself."""
 
 
 @dataclass(frozen=True)
@@ -69,6 +73,16 @@ def _with_last_bits(declaration: Declaration, number: Fixed) -> Declaration:
         return declaration
     lsb = 2 * number.ulp(declaration.samples.largest)
     return replace(declaration, samples=replace(declaration.samples, lsb=lsb))
+
+
+def _scaled(declaration: Declaration, part: Fraction) -> Declaration:
+    """Return the declaration of a smaller range."""
+    samples, turn = declaration.samples, declaration.turn
+    if samples is not None:
+        first, second = (each and each * part for each in (samples.first, samples.second))
+        samples = replace(samples, largest=samples.largest * part, first=first, second=second)
+    inputs = {name: bound * part for name, bound in declaration.inputs.items()}
+    return replace(declaration, inputs=inputs, samples=samples, turn=turn and turn * part)
 
 
 class _FixedPoint:
@@ -99,9 +113,27 @@ class _FixedPoint:
         if failed:
             raise failed
         raise UsageError(
-            f"the length of '{self.held.name}' is not proved to stay near 1: one update may change it too much; raise "
-            'update_hz, lower max_rate_dps, or set renormalise = "every"'
+            f"the length of '{self.held.name}' is not proved to stay near 1: one update may change it too much"
+            + self._what_would_do()
         )
+
+    def _what_would_do(self) -> str:
+        """Say which part of the declared range could be proved; nothing where none is found."""
+        for halvings in range(1, 9):
+            part = Fraction(1, 2**halvings)
+            smaller = _FixedPoint(self.program, self.number, _scaled(self.declaration, part), self.compensated)
+            if smaller.may_fit():
+                return f"; 1/{2**halvings} of the declared rate would do"
+        return ""
+
+    def may_fit(self) -> bool:
+        """Tell whether some range of the attitude's length is kept, if nothing is rounded."""
+        for self.spare, spread, self.nearest in self._spreads():
+            self._settle(spread)
+            declared = self._declared(spread)
+            if all(self._may_stay(routine, declared, spread) for routine in self.fused):
+                return True
+        return False
 
     def _fused(self, routine: Routine) -> Routine:
         if self.compensated and self.held in routine.blocks:
@@ -132,7 +164,9 @@ class _FixedPoint:
     def _signals(self) -> dict[str, Signal]:
         width, signals = self.number.width, {}
         for name, block in self._blocks().items():
-            if name in WHOLE_BITS:
+            if block.format is not None:
+                signals[name] = block.format
+            elif name in WHOLE_BITS:
                 signals[name] = Signal(width, width - 1 - WHOLE_BITS[name])
             elif name in self.declaration.inputs:
                 # One bit is left free, so that sums and differences of two samples are exact.
@@ -160,6 +194,12 @@ class _FixedPoint:
                 declared[name] = Declared((-high, high), (low, high))
             elif name in ("rpy", "angles"):
                 declared[name] = Declared((-PI_ABOVE, PI_ABOVE))
+            elif name in self.declaration.counts:
+                most = self.declaration.counts[name]
+                declared[name] = Declared((-most, most))
+            elif name in self.declaration.unlimited:
+                most = (signals[name].most + 1) * signals[name].lsb
+                declared[name] = Declared((-most, most))
             elif name in self.declaration.inputs:
                 most = self.declaration.inputs[name] + signals[name].lsb
                 declared[name] = Declared((-most, most), (Fraction(0), most))
@@ -170,7 +210,7 @@ class _FixedPoint:
 
     def _settle(self, spread: Fraction) -> None:
         """Bound what the state keeps beside the attitude by what is written to it, to a fixpoint."""
-        known = (set(WHOLE_BITS) | set(self.declaration.inputs)) - {RESIDUAL}
+        known = (set(WHOLE_BITS) | set(self.declaration.inputs) | set(self.declaration.counts)) - {RESIDUAL}
         open_blocks = [name for name in self._blocks() if name not in known]
         for _ in range(12):
             declared, changed = self._declared(spread), False
@@ -299,7 +339,7 @@ class _FixedPoint:
         carried: tuple[Residual, ...] = ()
         routines: list[Routine] = []
         for assigner, found in done:
-            carry = RESIDUAL if self.compensated and found.routine.name in CARRYING else None
+            carry = RESIDUAL if found.routine.name in CARRYING else None
             routine, residuals = lower_fixed(assigner, found, carry, signals)
             carried = carried or residuals
             routines.append(routine)
