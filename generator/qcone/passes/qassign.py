@@ -263,13 +263,8 @@ class Assigner:
                 continue
             lsb = found.signals[statement.result].lsb
             if isinstance(statement.detail, Sum):
-                finest, _ = found.accumulated(statement)
-                carried = statement.detail.carried
-                error = Fraction(0)
-                if finest > found.signals[statement.result].fraction:
-                    error = lsb if carried else self.number.rounding_error(lsb)
-                for at, term in enumerate(statement.detail.terms):
-                    error += self._constant_error(found, statement.result, at, term, finest)
+                error = self.own_error(found, statement)
+                for term in statement.detail.terms:
                     error += self._inner_error(found, term, errors)
                 errors[statement.result] = error
             elif statement.op is RealOp.READ:
@@ -280,6 +275,18 @@ class Assigner:
             else:
                 errors[statement.result] = lsb
         return errors
+
+    def own_error(self, found: Formats, operation: Operation) -> Fraction:
+        """Return what a sum's own rounding and those of its constants may add."""
+        assert isinstance(operation.detail, Sum)
+        signal = found.signals[operation.result]
+        finest, _ = found.accumulated(operation)
+        error = Fraction(0)
+        if finest > signal.fraction:
+            error = signal.lsb if operation.detail.carried else self.number.rounding_error(signal.lsb)
+        for at, term in enumerate(operation.detail.terms):
+            error += self._constant_error(found, operation.result, at, term, finest)
+        return error
 
     def _inner_error(self, found: Formats, term: Term, errors: Mapping[int, Fraction]) -> Fraction:
         """Return what the roundings of operands that are in no group add: the rules of groups do not see them."""
