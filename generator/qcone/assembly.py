@@ -82,7 +82,19 @@ def in_fixed_point(
         whole["counts"] = Fraction(sensor.largest_count(design))
         inputs["dtheta"] = known.increment
     unlimited = frozenset({"dtheta", "omega"} if design.number.clamp_inputs else ())
-    return fixed_point.Declaration(inputs, _samples(design, algorithm, known), turn, whole, unlimited)
+    renormalised = design.renormalise == "every"
+    series = _series_error(algorithm, known, exponential)
+    samples = _samples(design, algorithm, known)
+    return fixed_point.Declaration(inputs, samples, turn, whole, unlimited, renormalised, series)
+
+
+def _series_error(algorithm: Algorithm, known: Declaration, exponential: Exponential | None) -> Fraction | None:
+    """Return how far the rotation of one update, as a series, is from a unit quaternion."""
+    if exponential is not None:
+        return exponential.scalar_error + exponential.vector_error
+    if algorithm.truncation is not None:
+        return sum(algorithm.truncation(known.increment), Fraction(0))
+    return None
 
 
 def _samples(design: Design, algorithm: Algorithm, known: Declaration) -> Samples:

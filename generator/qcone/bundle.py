@@ -9,16 +9,16 @@ import os
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass
-from fractions import Fraction
 from pathlib import Path
 
 from qcone import __version__
 from qcone.backends.counts import Counts
 from qcone.backends.page import Driver
-from qcone.contract import FLAGS, GCC_FLAGS, INTERFACE, Facts, command, truncation
+from qcone.contract import FLAGS, GCC_FLAGS, INTERFACE, Facts, command, rounding, truncation
 from qcone.errors import CheckError, UsageError
 from qcone.formats.floating import Floating
 from qcone.ir.statement import Program, Role
+from qcone.passes.fixed_point import Proved
 
 MANIFEST = "manifest.json"
 
@@ -27,12 +27,12 @@ MANIFEST = "manifest.json"
 class Lowered:
     """A program in machine operations. In fixed point `machine` is in integers, and `macs` what that was expanded from.
 
-    `spread` is how far the length of the attitude can be from 1, there.
+    `proved` is what is known of it, there.
     """
 
     machine: Program
     macs: Program | None = None
-    spread: Fraction | None = None
+    proved: Proved | None = None
 
 
 @dataclass(frozen=True)
@@ -125,7 +125,7 @@ def with_manifest(bundle: Bundle) -> Mapping[str, str]:
             "rotation_vector_rad": str(chosen.phi_max) if chosen else None,
         },
         "truncation": truncation(facts),
-        "rounding": "not bounded",
+        "rounding": rounding(facts),
         "counts": {
             routine: {level: _counts(counts, facts) for level, counts in levels.items()}
             for routine, levels in facts.counts.items()

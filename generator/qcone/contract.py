@@ -17,6 +17,7 @@ from qcone.formats.floating import FLOAT64, Floating
 from qcone.ir.specification import Algorithm
 from qcone.ir.statement import Routine
 from qcone.passes.exponential import Exponential
+from qcone.passes.fixed_point import Proved
 from qcone.registry import caution_of
 
 INTERFACE = 1
@@ -65,8 +66,8 @@ class Facts:
     digest: str
     counts: dict[str, dict[str, Counts]]
     """Counts by routine, then by level: as-written, shared, emitted."""
-    spread: Fraction | None = None
-    """In fixed point: how far the length of the attitude can be from 1."""
+    proved: Proved | None = None
+    """What is proved in fixed point."""
 
 
 def command(design: Design) -> str:
@@ -91,7 +92,7 @@ def banner(facts: Facts) -> tuple[str, ...]:
         "",
         *_item("range", _range(facts)),
         *_item("truncation", truncation(facts)),
-        *_item("rounding", "not bounded"),
+        *_item("rounding", rounding(facts)),
         *(_item("caution", caution) if caution else []),
         "",
         f"operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select{'  shift' * fixed}",
@@ -167,9 +168,30 @@ def _range(facts: Facts) -> str:
     )
     if facts.exponential:
         text += f"; |phi| <= {_digits(facts.exponential.phi_max)} rad"
-    if facts.spread is not None and facts.algorithm.state != "euler":
-        text += f"; | |q| - 1 | <= {_digits(facts.spread, 3)} always, proved"
+    if facts.proved is not None and facts.algorithm.state != "euler":
+        what = "| |q| - 1 |" if facts.algorithm.state == "quaternion" else "length of a row of C, less 1,"
+        text += f"; {what} <= {_digits(facts.proved.spread, 3)} {_how_long(facts)}, proved"
     return text + f"; {_beyond(facts)}"
+
+
+def _how_long(facts: Facts) -> str:
+    proved = facts.proved
+    if proved is None or proved.updates is None:
+        return "always"
+    return f"for {proved.updates} updates after it was set or renormalised"
+
+
+def rounding(facts: Facts) -> str:
+    """Return the bound of one update's rounding as a sentence."""
+    proved = facts.proved
+    if proved is None or proved.rounding is None:
+        return "not bounded"
+    text = f"one update is within {_digits(proved.rounding, 2)} of exact arithmetic, in the norm of the components"
+    if facts.design.number.accumulate == "compensated":
+        text += ", what is carried included, which does not add up"
+    if proved.growth is not None:
+        text += f"; it adds at most {_digits(proved.growth, 2)} to the length"
+    return f"{text}; proved"
 
 
 def _beyond(facts: Facts) -> str:
@@ -254,7 +276,7 @@ def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
         "start": ["omega: rad/s, sensor axes. To be called once before the first update."],
         "renormalise": [
             "To be called by the user now and then: a length 1 + e, |e| <= 1/2, becomes 1 within 3/2 e^2 + 1/2 |e|^3.",
-            "How often is not proven for this format: its rounding bound is not computed.",
+            _how_often(facts),
         ],
         "quaternion": [f"q_nb: w, x, y, z; body to navigation. |q_nb| = 1 {_norm(facts)}."],
         "dcm": [f"c_nb: row major, v_n = C_nb v_b, {_matrix(facts)}."],
@@ -275,7 +297,7 @@ def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
             f"{given}: {n} x 3 values, {given}[3*k + axis], sub-sample k = 0 first; {unit}; sensor axes.",
             f"Range: norm of each at most {_digits(bound)}; {_beyond(facts)}.",
             f"Truncation: {truncation(facts)}.",
-            "Rounding: not bounded.",
+            f"Rounding: {rounding(facts)}.",
         ]
         if rates:
             lines.insert(1, "The rate at the start of the interval is the last one of the update before, or start()'s.")
@@ -288,6 +310,12 @@ def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
     tail = ["Arguments must not overlap the state. A reader that interrupts an update may see a torn state."]
     wrapped = [line for text_line in [*lines, *(tail if routine.name == "update" else [])] for line in _wrap(text_line)]
     return (*_wrap(f"{routine.summary} Type of values: {ctype}."), "", *wrapped)
+
+
+def _how_often(facts: Facts) -> str:
+    if facts.proved is None or facts.proved.updates is None:
+        return "How often is not proven for this format: its rounding bound is not computed."
+    return f"To be called at least once in {facts.proved.updates} updates (renormalise_every), proved."
 
 
 def _wrap(text: str) -> list[str]:

@@ -61,7 +61,7 @@ def build(design: Design) -> Bundle:
     known = declaration(design, algorithm)
     lowered = lower(ready, design, number, in_fixed_point(design, algorithm, known, exponential))
     counts = levels(written, ready, lowered.machine)
-    facts = Facts(design, algorithm, number, known, exponential, digest_of(design), counts, lowered.spread)
+    facts = Facts(design, algorithm, number, known, exponential, digest_of(design), counts, lowered.proved)
     _within_budget(facts)
     return emit(facts, written, lowered)
 
@@ -113,7 +113,7 @@ def lower(program: Program, design: Design, number: Floating | Fixed, declared: 
     except UsageError as error:
         hint = "raise update_hz, lower max_rate_dps, or choose a wider format"
         raise problem(design, "QC211", str(error), "", hint) from error
-    return Lowered(_named(fixed.integers), check_program(fixed.macs, MachineOp), fixed.spread)
+    return Lowered(_named(fixed.integers), check_program(fixed.macs, MachineOp), fixed.proved)
 
 
 def _named(machine: Program) -> Program:

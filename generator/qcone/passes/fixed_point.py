@@ -15,6 +15,7 @@ from qcone.formats.fixed import Fixed, Signal
 from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Block, Choose, Operation, Place, Program, Role, Routine, Statement, Write, unused
+from qcone.passes.errors import errors
 from qcone.passes.expand import expand
 from qcone.passes.fuse import fuse
 from qcone.passes.lower_fixed import Residual, lower_fixed, residual_block
@@ -29,10 +30,13 @@ SPREADS = tuple(
 )
 """How far from 1 the attitude's length may be: the least of these that the updates keep."""
 RESIDUAL = "residual"
+LEFT_ALONE = Fraction(1, 64)
+"""How far from 1 it may drift where updates do not bring it back."""
 GIVEN = Fraction(1, 1024)
 """How far from 1 the length of an attitude may be that is handed in."""
 PI_ABOVE = Fraction(355, 113)
 CARRYING = ("update", "steady")
+UPDATING = ("update", "start_up", "hold", "steady")
 SETTING = ("init", "set_quaternion", "set_dcm", "set_euler")
 WHOLE_BITS = {"q": 1, "c": 1, "rpy": 2, "q_nb": 1, "c_nb": 1, "angles": 2}
 """Bits before the binary point beside the sign, of attitudes kept, handed in and given out."""
@@ -51,15 +55,34 @@ class Declaration:
     """The largest whole count of a block of counts."""
     unlimited: frozenset[str] = frozenset()
     """Blocks that may hold any word: the routine limits them itself."""
+    renormalised: bool = True
+    """Whether every update brings the attitude's length back."""
+    series: Fraction | None = None
+    """How far one update's rotation, as a series, is from a unit quaternion; None where it is not known."""
+
+
+@dataclass(frozen=True)
+class Proved:
+    """What is proved of a program in fixed point.
+
+    `spread` bounds | |q| - 1 |; `rounding` how far one update is from exact arithmetic, in the components' norm, None
+    where it is not bounded. Where updates do not bring the length back, `growth` bounds what one of them adds to it,
+    and `updates` is how many keep it within `spread`.
+    """
+
+    spread: Fraction
+    rounding: Fraction | None = None
+    growth: Fraction | None = None
+    updates: int | None = None
 
 
 @dataclass(frozen=True)
 class FixedProgram:
-    """A program in fixed point: in `mac` operations, and in integer operations; `spread` bounds | |q| - 1 |."""
+    """A program in fixed point: in `mac` operations, and in integer operations."""
 
     macs: Program
     integers: Program
-    spread: Fraction
+    proved: Proved
 
 
 def to_fixed(program: Program, number: Fixed, declaration: Declaration, compensated: bool) -> FixedProgram:
@@ -109,7 +132,7 @@ class _FixedPoint:
                 failed = failed or error
                 continue
             if all(self._stays(assigner, found, spread) for assigner, found in done):
-                return self._lowered(done, signals, spread)
+                return self._lowered(done, signals, self._proved(done, spread))
         if failed:
             raise failed
         raise UsageError(
@@ -150,6 +173,9 @@ class _FixedPoint:
         """
         if self.held.name == "rpy":
             yield 0, GIVEN, False
+            return
+        if not self.declaration.renormalised:
+            yield from ((spare, LEFT_ALONE, True) for spare in ((0, 1, 2) if self.compensated else (0,)))
             return
         for spare in (0, 1, 2) if self.compensated else (0,):
             for kept in (True, False):
@@ -305,6 +331,8 @@ class _FixedPoint:
     def _keeps_length(self, magnitudes: Magnitudes, routine: Routine, written: list[int], spread: Fraction) -> bool:
         if self.held.name == "rpy" or not written or self._is_kept(routine, written):
             return True
+        if not self.declaration.renormalised and routine.name in UPDATING:
+            return True  # its length is left to drift, for as many updates as are proved
         size = 4 if self.held.name == "q" else 3
         for entry in range(0, len(written), size):
             low, high = self._length(magnitudes, routine, written[entry : entry + size])
@@ -331,10 +359,32 @@ class _FixedPoint:
                     low, high = max(low, norm[0]), min(high, norm[1])
         return low, high
 
+    def _proved(self, done: list[tuple[Assigner, Formats]], spread: Fraction) -> Proved:
+        """Return what is proved of the updates. Raises UsageError where the length is left to drift without a bound."""
+        rounding: Fraction | None = Fraction(0)
+        for assigner, found in done:
+            written = [value for place, value in assigner.written.items() if place.block == self.held.name]
+            if assigner.routine.name not in UPDATING or not written or self._is_kept(assigner.routine, written):
+                continue
+            known = errors(assigner, found)
+            if rounding is None or any(value not in known for value in written):
+                rounding = None
+                continue
+            rounding = max(rounding, root_above(sum((known[value] ** 2 for value in written), Fraction(0))))
+        if self.declaration.renormalised or self.held.name == "rpy":
+            return Proved(spread, rounding)
+        if rounding is None or self.declaration.series is None:
+            raise UsageError(
+                "what one update adds to the attitude's length is not bounded for this algorithm: set renormalise = "
+                '"every"'
+            )
+        growth = (1 + spread) * self.declaration.series + rounding
+        return Proved(spread, rounding, growth, int((spread - GIVEN) / growth))
+
     # -- the machine program --------------------------------------------------------------------------
 
     def _lowered(
-        self, done: list[tuple[Assigner, Formats]], signals: Mapping[str, Signal], spread: Fraction
+        self, done: list[tuple[Assigner, Formats]], signals: Mapping[str, Signal], proved: Proved
     ) -> FixedProgram:
         carried: tuple[Residual, ...] = ()
         routines: list[Routine] = []
@@ -350,7 +400,7 @@ class _FixedPoint:
             routines = [self._with_residual(routine, block) for routine in routines]
         macs = replace(self.program, state=state, routines=tuple(routines))
         integers = replace(macs, routines=tuple(map(expand, routines)))
-        return FixedProgram(macs, integers, spread)
+        return FixedProgram(macs, integers, proved)
 
     def _with_residual(self, routine: Routine, block: Block) -> Routine:
         """Clear what is carried where the attitude is set, and hand it on where a call is handed on."""
