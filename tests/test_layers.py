@@ -18,7 +18,10 @@ LAYERS: tuple[frozenset[str], ...] = (
     frozenset({"ir", "design"}),
     frozenset({"algorithms", "passes", "backends", "targets", "reference"}),
     frozenset(
-        {"admission", "assembly", "bundle", "contract", "pipeline", "registry", "state_routines", "vectors", "verify"}
+        {
+            *("admission", "assembly", "bundle", "contract", "pipeline", "printing", "registry", "state_routines"),
+            *("vectors", "verify", "words"),
+        }
     ),
     frozenset({"studies", "reports"}),
     frozenset({"cli"}),

@@ -95,7 +95,8 @@ def banner(facts: Facts) -> tuple[str, ...]:
         *_item("rounding", rounding(facts)),
         *(_item("caution", caution) if caution else []),
         "",
-        f"operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select{'  shift' * fixed}",
+        f"{'operations':<18}multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select"
+        + "  shift" * fixed,
     ]
     for routine, levels in facts.counts.items():
         for level, counts in levels.items():
@@ -201,7 +202,8 @@ def _beyond(facts: Facts) -> str:
     if facts.design.number.clamp_inputs:
         return "each component of an input beyond it is clamped to it"
     return {
-        "prove": "within it no sum overflows, as is proved; beyond it nothing is promised: clamp inputs that can be so large",
+        "prove": "within it no sum overflows, as is proved; beyond it nothing is promised: clamp inputs that can be "
+        "so large",
         "saturate": "beyond it results are clamped to their words, and accuracy is lost",
         "wrap": "beyond it results wrap around, and accuracy is lost",
     }[facts.number.overflow]
@@ -244,7 +246,9 @@ def macros(facts: Facts, initialiser: str, bits: tuple[tuple[str, int], ...] = (
     places = {ARGUMENTS[block]: fraction for block, fraction in bits if block in ARGUMENTS}
     return (
         *(
-            Macro(f"{name}_{argument}_FRACTION_BITS", str(fraction), f"{argument.lower()}: value = raw * 2^-{fraction}.")
+            Macro(
+                f"{name}_{argument}_FRACTION_BITS", str(fraction), f"{argument.lower()}: value = raw * 2^-{fraction}."
+            )
             for argument, fraction in places.items()
         ),
         Macro(f"{name}_VERSION", str(INTERFACE), "Interface of the emitted code; companions check it."),

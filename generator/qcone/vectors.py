@@ -94,7 +94,9 @@ def _smooth(
     second = np.cross(first, generator.standard_normal((lanes, 3)))
     second /= np.linalg.norm(second, axis=-1, keepdims=True)
     phase = turn[:, None] * np.arange(steps * count + 1) + generator.uniform(0, 2 * np.pi, (lanes, 1))
-    path = size[:, None, None] * (np.cos(phase)[..., None] * first[:, None] + np.sin(phase)[..., None] * second[:, None])
+    path = size[:, None, None] * (
+        np.cos(phase)[..., None] * first[:, None] + np.sin(phase)[..., None] * second[:, None]
+    )
     return path[:, 1:].reshape(lanes, steps, count, 3), path[:, :-1:count]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from qcone.bundle import Bundle
 
 Array = NDArray[Any]
-TYPES = {
+TYPES: Mapping[str, Any] = {
     "float": np.float32,
     "double": np.float64,
     "int16_t": np.int16,
@@ -29,8 +30,9 @@ def to_words(bundle: Bundle, block: str, values: Array, ctype: str | None = None
     bits = bundle.driver.bits(block)
     if bits is None:
         return values.astype(dtype)
-    info = np.iinfo(dtype)
-    return np.clip(np.rint(np.ldexp(np.asarray(values, np.float64), bits)), info.min, info.max).astype(dtype)
+    info = np.iinfo(np.dtype(dtype))
+    words: Array = np.clip(np.rint(np.ldexp(np.asarray(values, np.float64), bits)), info.min, info.max).astype(dtype)
+    return words
 
 
 def to_increments(bundle: Bundle, values: Array, axis: int) -> Array:
@@ -44,7 +46,8 @@ def to_increments(bundle: Bundle, values: Array, axis: int) -> Array:
         return values.astype(TYPES[ctype])
     angle = np.cumsum(np.ldexp(np.asarray(values, np.longdouble), bits), axis=axis)
     whole = np.rint(angle)
-    return np.diff(whole, axis=axis, prepend=0).astype(TYPES[ctype])
+    steps: Array = np.diff(whole, axis=axis, prepend=0).astype(TYPES[ctype])
+    return steps
 
 
 def from_words(bundle: Bundle, block: str, words: Array) -> NDArray[np.float64]:

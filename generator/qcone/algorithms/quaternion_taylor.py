@@ -123,9 +123,7 @@ def _record(r: History, a: History, k: int, n: int) -> Quaternion:
         return quaternion(r[index], vector(r[index + 1], r[index + 2], r[index + 3]))
 
     term = at(6 * (k + n - 1))
-    pairs = [
-        (at(6 * (k - 1 - j + n - 1)), vector(a[5 * j], a[5 * j + 1], a[5 * j + 2])) for j in range(min(k, n))
-    ]
+    pairs = [(at(6 * (k - 1 - j + n - 1)), vector(a[5 * j], a[5 * j + 1], a[5 * j + 2])) for j in range(min(k, n))]
     recorded_products(term, pairs, F(1, k))
     return term
 

@@ -20,14 +20,13 @@ from qcone.ir.statement import Operation
 Array = NDArray[Any]
 Kept = list[tuple[str, int, Array]]
 """What is to be written when the routine ends: block, component, word."""
-OPERATIONS = frozenset(
-    {MachineOp.MAC, MachineOp.CLAMP, MachineOp.SHIFT_LEFT, MachineOp.SHIFT_RIGHT, MachineOp.DIVIDE}
-)
+OPERATIONS = frozenset({MachineOp.MAC, MachineOp.CLAMP, MachineOp.SHIFT_LEFT, MachineOp.SHIFT_RIGHT, MachineOp.DIVIDE})
 
 
 def raw(operation: Operation) -> Any:
     """Return a constant's raw word."""
-    assert isinstance(operation.format, Signal) and operation.constant is not None
+    assert isinstance(operation.format, Signal)
+    assert operation.constant is not None
     return np.int64(operation.format.raw(operation.constant))
 
 
@@ -65,9 +64,7 @@ def rounded(x: Any, bits: int, rounding: str) -> Any:
     return up
 
 
-def _mac(
-    operation: Operation, mac: Mac, values: Mapping[int, Any], memory: Mapping[str, Array], kept: Kept
-) -> Any:
+def _mac(operation: Operation, mac: Mac, values: Mapping[int, Any], memory: Mapping[str, Array], kept: Kept) -> Any:
     total: Any = np.int64(0)
     for term in mac.terms:
         value = values[term.args[0]]

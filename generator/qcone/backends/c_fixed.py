@@ -37,7 +37,8 @@ def literal(constant: Fraction, signal: Signal) -> str:
 
 def shift_name(operation: Operation, width: int) -> str:
     """Return the name of the function that shifts a sum of `width` bits right and rounds it into the result's word."""
-    assert isinstance(operation.detail, Shift) and isinstance(operation.format, Signal)
+    assert isinstance(operation.detail, Shift)
+    assert isinstance(operation.format, Signal)
     word = {"up": "round", "even": "round_even", "floor": "floor"}[operation.detail.rounding]
     kind = "" if width == 2 * operation.format.width else "_wide" if width > 32 else "_short"
     return f"{word}{kind}_{operation.detail.bits}"
@@ -72,7 +73,8 @@ def _order(name: str) -> tuple[str, int]:
 def _needed(operation: Operation, widths: dict[int, int]) -> Iterable[Furniture]:
     if operation.op is MachineOp.SHIFT_RIGHT:
         width = widths[operation.args[0]]
-        assert isinstance(operation.format, Signal) and isinstance(operation.detail, Shift)
+        assert isinstance(operation.format, Signal)
+        assert isinstance(operation.detail, Shift)
         if not _by_image(operation, width):
             yield _shift_right(width)
         yield Furniture(shift_name(operation, width), _rounding(operation, width))
@@ -83,7 +85,8 @@ def _needed(operation: Operation, widths: dict[int, int]) -> Iterable[Furniture]
 
 def _by_image(operation: Operation, width: int) -> bool:
     """Tell whether the unsigned image may be shifted: the bits that come in from above are dropped again."""
-    assert isinstance(operation.format, Signal) and isinstance(operation.detail, Shift)
+    assert isinstance(operation.format, Signal)
+    assert isinstance(operation.detail, Shift)
     fits = width == 64 and operation.format.width == 32 and operation.detail.bits <= 32
     return fits and operation.detail.rounding == "up"
 
@@ -102,7 +105,8 @@ def _shift_right(width: int) -> Furniture:
 
 
 def _rounding(operation: Operation, width: int) -> str:
-    assert isinstance(operation.format, Signal) and isinstance(operation.detail, Shift)
+    assert isinstance(operation.format, Signal)
+    assert isinstance(operation.detail, Shift)
     bits, rounding, result = operation.detail.bits, operation.detail.rounding, operation.format.width
     name, out, into = shift_name(operation, width), f"int{result}_t", f"int{width}_t"
     half = 1 << (bits - 1)
@@ -121,10 +125,10 @@ def _rounding(operation: Operation, width: int) -> str:
         body = f"    return {cast}shift_right_{width}(x + {integer(half, width)}, {bits});\n"
     else:
         unsigned = f"uint{width}_t"
-        mask = f"UINT64_C({2 * half - 1})" if width > 32 else f"{2 * half - 1}U"
+        half_image, mask = (f"UINT64_C({each})" if width > 32 else f"{each}U" for each in (half, 2 * half - 1))
         body = (
             f"    const {into} up = shift_right_{width}(x + {integer(half, width)}, {bits});\n"
-            f"    const int tie = ((({unsigned})x + {half if width <= 32 else f'UINT64_C({half})'}{'U' if width <= 32 else ''}) & {mask}) == 0;\n"
+            f"    const int tie = ((({unsigned})x + {half_image}) & {mask}) == 0;\n"
             f"    return {cast}((tie != 0) ? (up - (up & 1)) : up);\n"
         )
     return head + body + "}\n"
@@ -173,7 +177,8 @@ class IntegerText:
 
     def factor(self, operation: Operation) -> str:
         """Return the power of two of a left shift."""
-        assert isinstance(operation.detail, Shift) and isinstance(operation.format, Signal)
+        assert isinstance(operation.detail, Shift)
+        assert isinstance(operation.format, Signal)
         return integer(1 << operation.detail.bits, operation.format.width)
 
 

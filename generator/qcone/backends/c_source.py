@@ -146,9 +146,7 @@ def writes_state(routine: Routine) -> bool:
     return False
 
 
-def literal(
-    constant: Fraction, exact: Fraction | None, number: Floating | Fixed, signal: Signal | None = None
-) -> str:
+def literal(constant: Fraction, exact: Fraction | None, number: Floating | Fixed, signal: Signal | None = None) -> str:
     """Return a literal, with the rational it was rounded from beside it.
 
     Not beside a multiple of 1/8, nor where the rational is that of an irrational number such as pi.
@@ -172,9 +170,7 @@ class _Printer:
         ]
         self.constants = {each.result: constant for each, constant in literals}
         self.literals = {
-            each.result: literal(
-                constant, each.exact, number, each.format if isinstance(each.format, Signal) else None
-            )
+            each.result: literal(constant, each.exact, number, each.format if isinstance(each.format, Signal) else None)
             for each, constant in literals
         }
         self.integers = c_fixed.IntegerText(routine)
@@ -234,7 +230,8 @@ class _Printer:
             case Operation(result, op, args, _, place):
                 name = self.routine.names[result]
                 if isinstance(statement.format, Signal):
-                    yield f"const {statement.format.ctype} {name} = {self._integer(statement)};{c_fixed.remark(statement)}"
+                    remark = c_fixed.remark(statement)
+                    yield f"const {statement.format.ctype} {name} = {self._integer(statement)};{remark}"
                 elif op in SIGNS:
                     yield f"const {ctype} {name} = {self._use(args[0])} {SIGNS[op]} {self._use(args[1])};"
                 elif op is MachineOp.LESS:

@@ -75,7 +75,9 @@ def _compare_header(
         yield f"{prefix}STATE_INIT: {macros.get(f'{prefix}STATE_INIT')} instead of {initial}"
 
 
-def _compare(program: Program, number: Floating | Fixed, found: Mapping[str, tuple[str, tuple[Line, ...]]]) -> Iterator[str]:
+def _compare(
+    program: Program, number: Floating | Fixed, found: Mapping[str, tuple[str, tuple[Line, ...]]]
+) -> Iterator[str]:
     routines = {f"{program.name}_{routine.name}": routine for routine in program.routines}
     for routine in program.routines:
         for callee in _callees(routine):
@@ -118,9 +120,7 @@ class _Reader:
 
     def __init__(self, routine: Routine, program: Program, number: Floating | Fixed, scalar: bool) -> None:
         self.routine, self.program, self.number, self.scalar = routine, program, number, scalar
-        literals = [
-            each for each in walk(routine.body) if isinstance(each, Operation) and each.op is MachineOp.LITERAL
-        ]
+        literals = [each for each in walk(routine.body) if isinstance(each, Operation) and each.op is MachineOp.LITERAL]
         self.constants = {each.result: each.constant for each in literals if each.constant is not None}
         self.literals = {
             each.result: self._literal(each.constant, each.format) for each in literals if each.constant is not None

@@ -39,7 +39,7 @@ class Signal:
     @property
     def most(self) -> int:
         """Return the largest raw value."""
-        return 2 ** (self.width - 1) - 1
+        return (1 << (self.width - 1)) - 1
 
     def raw(self, value: Fraction) -> int:
         """Return the raw word of an exactly representable value; ValueError for any other."""

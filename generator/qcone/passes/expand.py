@@ -97,19 +97,19 @@ class _Expansion:
             self.body.append(replace(common, op=MachineOp.SHIFT_RIGHT, detail=shift))
             return
         last = self.body[-1] if self.body else None
-        if isinstance(last, Operation) and last.result == total and last.format is not None:
-            if self.formats[total].width == operation.format.width:
-                # The last sum is the result: it takes its name, format and bound.
-                made = replace(last, result=operation.result, format=operation.format, bound=operation.bound)
-                self.body[-1] = made
-                return
+        fresh = isinstance(last, Operation) and last.result == total and total not in operation.args
+        if isinstance(last, Operation) and fresh and self.formats[total].width == operation.format.width:
+            # The last sum is the result: it takes its name, format and bound.
+            self.body[-1] = replace(last, result=operation.result, format=operation.format, bound=operation.bound)
+            return
         narrower = self.formats[total].width > operation.format.width
         op = MachineOp.NARROW if narrower else MachineOp.SHIFT_LEFT
         self.body.append(replace(common, op=op, detail=None if narrower else Shift(0)))
 
     def _carried(self, operation: Operation, mac: Mac, total: int, wide: Signal) -> int:
         """Write acc + residual, its rounding, and what the rounding takes away as the residual of the next update."""
-        assert mac.residual is not None and isinstance(operation.format, Signal)
+        assert mac.residual is not None
+        assert isinstance(operation.format, Signal)
         name, index = mac.residual
         place = Place(name, index)
         kept = self.routine.block(name).format
@@ -118,7 +118,9 @@ class _Expansion:
         carried = self.next
         self.next += 1
         self.body.append(
-            Operation(carried, MachineOp.READ, place=place, step=operation.step, format=Signal(kept.width, wide.fraction))
+            Operation(
+                carried, MachineOp.READ, place=place, step=operation.step, format=Signal(kept.width, wide.fraction)
+            )
         )
         self.formats[carried] = Signal(kept.width, wide.fraction)
         self.names[carried] = f"{called}_carried"
@@ -139,5 +141,3 @@ class _Expansion:
         if step not in self.steps:
             self.steps.append(step)
         return self.steps.index(step)
-
-

@@ -26,7 +26,22 @@ from qcone.passes.widen import widen
 
 SPREADS = tuple(
     Fraction(each)
-    for each in ("1/65536", "1/4096", "1/1024", "1/256", "1/64", "1/32", "1/16", "1/10", "3/20", "1/5", "11/50", "3/10", "2/5", "1/2")
+    for each in (
+        "1/65536",
+        "1/4096",
+        "1/1024",
+        "1/256",
+        "1/64",
+        "1/32",
+        "1/16",
+        "1/10",
+        "3/20",
+        "1/5",
+        "11/50",
+        "3/10",
+        "2/5",
+        "1/2",
+    )
 )
 """How far from 1 the attitude's length may be: the least of these that the updates keep."""
 RESIDUAL = "residual"
@@ -44,8 +59,9 @@ WHOLE_BITS = {"q": 1, "c": 1, "rpy": 2, "q_nb": 1, "c_nb": 1, "angles": 2}
 
 @dataclass(frozen=True)
 class Declaration:
-    """What is declared of inputs: norms of the vectors handed in, their differences in time, and what follows for
-    the rotation vector of one update, rad.
+    """What is declared of inputs: norms of the vectors handed in, and their differences in time.
+
+    `turn` is what follows for the rotation vector of one update, rad.
     """
 
     inputs: Mapping[str, Fraction] = field(hash=False)
@@ -121,7 +137,8 @@ class _FixedPoint:
 
     def run(self) -> FixedProgram:
         failed: UsageError | None = None
-        for self.spare, spread, self.nearest in self._spreads():
+        for spare, spread, nearest in self._spreads():
+            self.spare, self.nearest = spare, nearest
             self._settle(spread)
             signals, declared = self._signals(), self._declared(spread)
             if not all(self._may_stay(routine, declared, spread) for routine in self.fused):
@@ -293,9 +310,7 @@ class _FixedPoint:
     def _assigned(
         self, routine: Routine, signals: Mapping[str, Signal], declared: Mapping[str, Declared]
     ) -> tuple[Assigner, Formats]:
-        assigner = Assigner(
-            routine, self.number, signals, declared, self.declaration.samples, self.declaration.turn
-        )
+        assigner = Assigner(routine, self.number, signals, declared, self.declaration.samples, self.declaration.turn)
         return assigner, assigner.run()
 
     def _stays(self, assigner: Assigner, found: Formats, spread: Fraction) -> bool:
@@ -312,7 +327,9 @@ class _FixedPoint:
             bound = self.bounds.get(place.block)
             if bound is not None and place.block not in WHOLE_BITS and magnitudes.of(value) > bound:
                 return False
-        for name, values in self._entries({place: value for place, value in written.items() if place.block in self.norms}):
+        for name, values in self._entries(
+            {place: value for place, value in written.items() if place.block in self.norms}
+        ):
             if self._length(magnitudes, found.routine, list(values))[1] > self.norms[name]:
                 return False
         held = [value for place, value in assigner.written.items() if place.block == self.held.name]
@@ -322,9 +339,7 @@ class _FixedPoint:
         """Tell whether a routine would keep the attitude's length in the range if nothing were rounded."""
         magnitudes = self._magnitudes(routine, declared)
         written = [
-            each.value
-            for each in routine.body
-            if isinstance(each, Write) and each.place.block == self.held.name
+            each.value for each in routine.body if isinstance(each, Write) and each.place.block == self.held.name
         ]
         return magnitudes is None or self._keeps_length(magnitudes, routine, written, spread)
 

@@ -51,6 +51,4 @@ def fold(routine: Routine) -> Routine:
         if gone in names:
             names.setdefault(stand_in, names[gone])
     callees = {name: fold(callee) for name, callee in routine.callees.items()}
-    return replace(
-        routine, body=body, names=names, groups=regrouped(routine.groups, renamed), callees=callees
-    )
+    return replace(routine, body=body, names=names, groups=regrouped(routine.groups, renamed), callees=callees)

@@ -81,7 +81,9 @@ class _Fusion:
         elif op in (RealOp.CARRY, RealOp.WIDE):
             terms = self._terms(args[0], mark=False)
             detail = Sum(terms, carried=op is RealOp.CARRY)
-            self.body.append(replace(operation, op=RealOp.SUM if op is RealOp.CARRY else op, args=_args(terms), detail=detail))
+            self.body.append(
+                replace(operation, op=RealOp.SUM if op is RealOp.CARRY else op, args=_args(terms), detail=detail)
+            )
             if args[0] in self.names:
                 self.names.setdefault(result, self.names[args[0]])
         else:
@@ -109,9 +111,7 @@ class _Fusion:
         """Write the sum of a value that is needed as such."""
         terms = self.sums.pop(value)
         origin = self.origin[value]
-        operation = replace(
-            origin, op=RealOp.SUM, args=_args(terms), constant=None, place=None, detail=Sum(terms)
-        )
+        operation = replace(origin, op=RealOp.SUM, args=_args(terms), constant=None, place=None, detail=Sum(terms))
         self.body.append(operation)
 
     def _value(self, value: int) -> int:

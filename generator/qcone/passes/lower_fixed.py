@@ -99,7 +99,8 @@ class _Lowering:
         signal = self.signals.get(result)
         match op:
             case RealOp.CONSTANT:
-                assert operation.constant is not None and signal is not None
+                assert operation.constant is not None
+                assert signal is not None
                 self.constants[result] = operation.constant
                 self.body.append(self._literal(operation.constant, signal, operation.step, result))
             case RealOp.READ:
@@ -116,7 +117,8 @@ class _Lowering:
                     replace(operation, op=MachineOp.SELECT, args=(args[0], *chosen), format=signal, bound=bound)
                 )
             case RealOp.CLAMP:
-                assert isinstance(operation.detail, Limits) and signal is not None
+                assert isinstance(operation.detail, Limits)
+                assert signal is not None
                 lsb = signal.lsb
                 most = self.signals[args[0]].most
                 low = max(-(-operation.detail.low // lsb), -most)
@@ -227,9 +229,7 @@ class _Lowering:
             self.residuals.append(Residual(Signal(width, finest), self.names.get(result, "value")))
         made = Mac(tuple(aligned), accumulator, discard, self.number.rounding, residual)
         args = tuple(dict.fromkeys(arg for each in aligned for arg in each.args))
-        self.body.append(
-            replace(operation, op=MachineOp.MAC, args=args, format=signal, detail=made, bound=bound)
-        )
+        self.body.append(replace(operation, op=MachineOp.MAC, args=args, format=signal, detail=made, bound=bound))
 
 
 def residual_block(name: str, residuals: tuple[Residual, ...]) -> Block:
@@ -238,5 +238,3 @@ def residual_block(name: str, residuals: tuple[Residual, ...]) -> Block:
     kept = ", ".join(dict.fromkeys(each.of.rpartition("_")[0] or each.of for each in residuals))
     unit = f"roundings carried to the next update: of {kept}"
     return Block(name, Shape.SCALAR, Role.STATE, len(residuals), unit, format=Signal(width, 0))
-
-

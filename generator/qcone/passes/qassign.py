@@ -373,13 +373,19 @@ class Assigner:
         """
         changed = False
         for statement in self.routine.body:
-            if not isinstance(statement, Operation) or not isinstance(statement.detail, Sum) or statement.detail.carried:
+            if (
+                not isinstance(statement, Operation)
+                or not isinstance(statement.detail, Sum)
+                or statement.detail.carried
+            ):
                 continue
             own = found.signals[statement.result].fraction
             finest, bits = found.accumulated(statement)
             if not 0 < finest - own < LEAST_DROPPED:
                 continue
-            fine = [term for term, each in zip(statement.detail.terms, bits, strict=True) if each is not None and each > own]
+            fine = [
+                term for term, each in zip(statement.detail.terms, bits, strict=True) if each is not None and each > own
+            ]
             if all(len(term.args) == 1 and term.args[0] in self.split for term in fine):
                 for term in fine:
                     over = found.term_bits(statement.result, 0, term)
@@ -390,7 +396,8 @@ class Assigner:
 
     def accumulator_size(self, operation: Operation, found: Formats) -> Fraction:
         """Return the largest raw value in a sum's accumulator, in any order of its terms, rounding included."""
-        assert isinstance(operation.detail, Sum) and found.magnitudes is not None
+        assert isinstance(operation.detail, Sum)
+        assert found.magnitudes is not None
         finest = self._finest(operation, found)
         size = Fraction(0)
         for at, term in enumerate(operation.detail.terms):
@@ -430,9 +437,9 @@ class Assigner:
             if operation.result in self.forced:
                 raise self._no_room(operation, over)
             self.caps[operation.result] = own.fraction - over
-        if all((operation.result, at) in found.constants for at in top):
-            if all(self._shorten(operation.result, at, over, found) for at in top):
-                return None
+        constant = all((operation.result, at) in found.constants for at in top)
+        if constant and all(self._shorten(operation.result, at, over, found) for at in top):
+            return None
         part = self._part(operation, top, bits)
         if part is not None:
             return self._split(operation, part)
@@ -530,7 +537,7 @@ class Assigner:
         return True
 
     def _part(self, operation: Operation, top: list[int], bits: list[int | None]) -> list[int] | None:
-        """Return the terms to be rounded first: those of the finest ones' own sum, or the products among linear terms."""
+        """Return the terms to be rounded first: those of the finest ones' own sum, or products among linear terms."""
         assert isinstance(operation.detail, Sum)
         terms = operation.detail.terms
         for at in top:

@@ -22,9 +22,7 @@ def share(routine: Routine) -> Routine:
     renamed: dict[int, int] = {}
     body = _scope(routine.body, {}, renamed, steady, names)
     callees = {name: share(callee) for name, callee in routine.callees.items()}
-    return replace(
-        routine, body=body, names=names, groups=regrouped(routine.groups, renamed), callees=callees
-    )
+    return replace(routine, body=body, names=names, groups=regrouped(routine.groups, renamed), callees=callees)
 
 
 def _scope(

@@ -55,7 +55,9 @@ class _Carrier:
         stand_in = {value: other for value, (_, other) in self.stand_in.items() if other != value}
         negated = {value for value, (sign, _) in self.stand_in.items() if sign < 0}
         kept = (
-            replace(group, values=(~group.values[0],)) if len(group.values) == 1 and group.values[0] in negated else group
+            replace(group, values=(~group.values[0],))
+            if len(group.values) == 1 and group.values[0] in negated
+            else group
             for group in groups
         )
         return regrouped(tuple(kept), stand_in)

@@ -32,7 +32,9 @@ class _Widening:
     def run(self) -> Routine:
         body = tuple(each for statement in self.routine.body for each in self._statement(statement))
         groups = (
-            replace(group, block=self.held) if not self.read.isdisjoint(group.values) and group.kind == "input" else group
+            replace(group, block=self.held)
+            if not self.read.isdisjoint(group.values) and group.kind == "input"
+            else group
             for group in self.routine.groups
         )
         renamed = {whole: upper for whole, upper in self.upper.items() if whole in self.read}
