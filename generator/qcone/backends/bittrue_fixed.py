@@ -78,4 +78,6 @@ def _mac(operation: Operation, mac: Mac, values: Mapping[int, Any], memory: Mapp
     result = rounded(total, mac.discard, mac.rounding)
     if mac.residual is not None:
         kept.append((mac.residual[0], mac.residual[1].constant, total - result * np.int64(1 << mac.discard)))
+    if mac.limits is not None:
+        result = np.clip(result, *map(np.int64, mac.limits))
     return result

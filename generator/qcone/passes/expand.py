@@ -7,9 +7,10 @@ That no partial sum overflows, in any order of the terms, was shown when the for
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 from qcone.formats.fixed import Signal
-from qcone.ir.detail import Aligned, Mac, Shift
+from qcone.ir.detail import Aligned, Limits, Mac, Shift
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Operation, Place, Routine, Statement, Step, Write, unused
 
@@ -66,7 +67,9 @@ class _Expansion:
             op = MachineOp.SUBTRACT if term.negative else MachineOp.ADD
             total = self._emit(op, (total, self._term(term, wide, operation)), wide, operation)
         if mac.residual is not None:
-            total = self._carried(operation, mac, total, wide)
+            self._carried(operation, mac, total, wide)
+        elif mac.limits is not None:
+            self._clamped(operation, mac, total, wide)
         else:
             self._rounded(operation, mac, total)
 
@@ -88,6 +91,19 @@ class _Expansion:
             value = self._emit(MachineOp.SHIFT_LEFT, (value,), wide, like, Shift(term.shift))
         return value
 
+    def _clamped(self, operation: Operation, mac: Mac, total: int, wide: Signal) -> int:
+        """Write the result, rounded in the accumulator's word and then clamped; return what was rounded."""
+        assert isinstance(operation.format, Signal)
+        assert mac.limits is not None
+        whole = total
+        if mac.discard:
+            signal = Signal(wide.width, operation.format.fraction)
+            whole = self._emit(MachineOp.SHIFT_RIGHT, (total,), signal, operation, Shift(mac.discard, mac.rounding))
+        low, high = mac.limits
+        limits = Limits(Fraction(low), Fraction(high))
+        self.body.append(replace(operation, op=MachineOp.CLAMP, args=(whole,), detail=limits))
+        return whole
+
     def _rounded(self, operation: Operation, mac: Mac, total: int) -> None:
         """Write the result: what was summed, without the bits to be discarded, in the word of the result."""
         assert isinstance(operation.format, Signal)
@@ -106,7 +122,7 @@ class _Expansion:
         op = MachineOp.NARROW if narrower else MachineOp.SHIFT_LEFT
         self.body.append(replace(common, op=op, detail=None if narrower else Shift(0)))
 
-    def _carried(self, operation: Operation, mac: Mac, total: int, wide: Signal) -> int:
+    def _carried(self, operation: Operation, mac: Mac, total: int, wide: Signal) -> None:
         """Write acc + residual, its rounding, and what the rounding takes away as the residual of the next update."""
         assert mac.residual is not None
         assert isinstance(operation.format, Signal)
@@ -126,15 +142,18 @@ class _Expansion:
         self.names[carried] = f"{called}_carried"
         total = self._emit(MachineOp.ADD, (total, carried), wide, operation)
         self.names[total] = f"{called}_whole"
-        self._rounded(operation, mac, total)
-        back = self._emit(MachineOp.SHIFT_LEFT, (operation.result,), wide, operation, Shift(mac.discard))
+        rounded = operation.result
+        if mac.limits is not None:
+            rounded = self._clamped(operation, mac, total, wide)
+        else:
+            self._rounded(operation, mac, total)
+        back = self._emit(MachineOp.SHIFT_LEFT, (rounded,), wide, operation, Shift(mac.discard))
         left = self._emit(MachineOp.SUBTRACT, (total, back), wide, operation)
         self.names[left] = f"{called}_left"
         if wide.width > kept.width:
             left = self._emit(MachineOp.NARROW, (left,), Signal(kept.width, wide.fraction), operation)
             self.names[left] = f"{called}_left_over"
         self.kept.append(Write(place, left, self._step()))
-        return total
 
     def _step(self) -> int:
         step = Step("carry the roundings to the next update")

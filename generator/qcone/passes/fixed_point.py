@@ -149,7 +149,10 @@ class _FixedPoint:
                 failed = failed or error
                 continue
             if all(self._stays(assigner, found, spread) for assigner, found in done):
-                return self._lowered(done, signals, self._proved(done, spread))
+                proved = self._proved(done, spread)
+                if self.number.overflow == "saturate":
+                    done = [self._saturated(assigner, found, signals, declared) for assigner, found in done]
+                return self._lowered(done, signals, proved)
         if failed:
             raise failed
         raise UsageError(
@@ -312,6 +315,25 @@ class _FixedPoint:
     ) -> tuple[Assigner, Formats]:
         assigner = Assigner(routine, self.number, signals, declared, self.declaration.samples, self.declaration.turn)
         return assigner, assigner.run()
+
+    def _saturated(
+        self, assigner: Assigner, found: Formats, signals: Mapping[str, Signal], declared: Mapping[str, Declared]
+    ) -> tuple[Assigner, Formats]:
+        """Return a routine that clamps each value to what it cannot exceed in the declared range, if anything can.
+
+        Then whatever words are handed in, operands are within those bounds, each by itself: so sums fit, and no
+        fact of lengths is used.
+        """
+        assert found.magnitudes is not None
+        routine = next(each for each in self.fused if each.name == assigner.routine.name)
+        limits = {value: found.magnitudes.of(value) for value in found.magnitudes.values}
+        given = {block.name for block in routine.having(Role.INPUT)}
+        bare = {name: Declared(each.interval) for name, each in declared.items()}
+        for name in given:
+            most = (signals[name].most + 1) * signals[name].lsb
+            bare[name] = Declared((-most, most))
+        again = Assigner(replace(routine, groups=()), self.number, signals, bare, None, None, limits)
+        return again, again.run()
 
     def _stays(self, assigner: Assigner, found: Formats, spread: Fraction) -> bool:
         """Tell whether a routine writes only attitudes whose length is in the range, and what else was declared."""

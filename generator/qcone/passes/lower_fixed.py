@@ -189,6 +189,14 @@ class _Lowering:
         width = near.width if raw < 2 ** (near.width - 1) else self.number.wide
         return Signal(width, near.fraction)
 
+    def _limits(self, result: int, signal: Signal) -> tuple[int, int] | None:
+        """Return the raw values a result is clamped to; None where it cannot be beyond them."""
+        assert self.found.magnitudes is not None
+        if result not in self.found.magnitudes.clamped:
+            return None
+        most = min(int(self.found.magnitudes.limits[result] / signal.lsb), signal.most)
+        return -most, most
+
     def _sum(self, operation: Operation, bound: Fraction | None) -> None:
         assert isinstance(operation.detail, Sum)
         result, detail = operation.result, operation.detail
@@ -219,7 +227,7 @@ class _Lowering:
                 return
         self.body.extend(literals)
         size = self.assigner.accumulator_size(operation, self.found)
-        narrow = size < 2 ** (self.number.width - 1) and self.number.width == 32 and signal.width == 32
+        narrow = self.number.overflow == "prove" and size < 2 ** (self.number.width - 1) and self.number.width == 32 and signal.width == 32
         linear = all(len(each.args) == 1 for each in aligned)
         accumulator = self.number.width if narrow and linear else self.number.wide
         residual = None
@@ -227,7 +235,8 @@ class _Lowering:
             residual = (self.carry, Index(len(self.residuals)))
             width = self.number.width if discard < self.number.width else self.number.wide
             self.residuals.append(Residual(Signal(width, finest), self.names.get(result, "value")))
-        made = Mac(tuple(aligned), accumulator, discard, self.number.rounding, residual)
+        limits = self._limits(result, signal)
+        made = Mac(tuple(aligned), accumulator, discard, self.number.rounding, residual, limits)
         args = tuple(dict.fromkeys(arg for each in aligned for arg in each.args))
         self.body.append(replace(operation, op=MachineOp.MAC, args=args, format=signal, detail=made, bound=bound))
 

@@ -55,12 +55,16 @@ class Magnitudes:
         samples: Samples | None = None,
         errors: Mapping[int, Fraction] | None = None,
         turn: Fraction | None = None,
+        limits: Mapping[int, Fraction] | None = None,
     ) -> None:
         """Bound every value of a routine of sums, in order.
 
         `turn` bounds the rotation vector of one update over the rationals. Its own roundings are far below a
-        thousandth of it in every format, and that much is added.
+        thousandth of it in every format, and that much is added. `limits` are the sizes that results are clamped to
+        where they can be larger: `clamped` are those that can.
         """
+        self.limits = limits or {}
+        self.clamped: set[int] = set()
         self.routine, self.declared, self.samples = routine, declared, samples
         self.errors = errors or {}
         turned = {group.operands[0] for group in routine.groups if group.kind == "exp"}
@@ -95,6 +99,11 @@ class Magnitudes:
         low, high = low - error, high + error
         if operation.op is RealOp.CLAMP and isinstance(operation.detail, Limits):
             low, high = max(low, operation.detail.low), min(high, operation.detail.high)
+            low, high = min(low, high), max(low, high)
+        most = self.limits.get(result) if operation.op in (RealOp.SUM, RealOp.WIDE) else None
+        if most is not None and max(-low, high) > most:
+            self.clamped.add(result)
+            low, high = max(low, -most), min(high, most)
             low, high = min(low, high), max(low, high)
         self._raw[result] = outward((low, high))
         for number in self._holding.get(result, ()):

@@ -76,11 +76,12 @@ class Assigner:
         declared: Mapping[str, Declared],
         samples: Samples | None = None,
         turn: Fraction | None = None,
+        limits: Mapping[int, Fraction] | None = None,
         caps: Mapping[int, int] | None = None,
     ) -> None:
         """Prepare the routine: what is written becomes a value in the block's format."""
         self.number, self.blocks, self.declared = number, blocks, declared
-        self.samples, self.turn = samples, turn
+        self.samples, self.turn, self.limits = samples, turn, dict(limits or {})
         self.caps: dict[int, int] = dict(caps or {})
         self.short: dict[tuple[int, int], int] = {}
         self.next = unused(routine)
@@ -159,7 +160,7 @@ class Assigner:
     def _assign(self, errors: Mapping[int, Fraction]) -> Formats:
         found = Formats(self.routine)
         try:
-            found.magnitudes = Magnitudes(self.routine, self.declared, self.samples, errors, self.turn)
+            found.magnitudes = Magnitudes(self.routine, self.declared, self.samples, errors, self.turn, self.limits)
         except ZeroDivisionError:
             raise UnfitError(
                 f"the routine '{self.routine.name}' divides by a value that may be zero: a quotient has no bound there"
