@@ -49,7 +49,7 @@ def adams_moulton(starter: str) -> Algorithm:
 
     @algorithm(
         f"adams-moulton-4-{starter}", source=SOURCE, subsamples=1, order=4 if starter != "heun" else 3, takes="omega",
-        properties=frozenset({"cyclic", "flip"}), memory=memory, phases=phases,
+        properties=frozenset({"flip"}), memory=memory, phases=phases,
         summary="p = q + h (55 f_0 - 59 f_1 + 37 f_2 - 9 f_3)/24; q + h (9 f_p + 19 f_0 - 5 f_1 + f_2)/24",
     )  # fmt: skip
     def steady(q: Quaternion, omega: Sequence[Vector], interval: Fraction, f: Sequence[Quaternion]) -> Any:

@@ -50,7 +50,7 @@ def dcm_taylor(subsamples: int, order: int) -> Algorithm:
         source=SOURCE,
         subsamples=subsamples,
         order=order_of_accuracy(subsamples, order),
-        properties=frozenset({"cyclic", "flip"}),
+        properties=frozenset({"flip"}),
         summary="v_0 = v, v_n = 1/n sum_j v_(n-1-j) x W_j, row by row",
         errata=("xu2019 (11) multiplies from the wrong side", "xu2019 (13) lacks the constants 1, 2, 6"),
         state="dcm",

@@ -57,7 +57,7 @@ def quaternion_taylor(subsamples: int, order: int, about: str) -> Algorithm:
         source=SOURCE,
         subsamples=subsamples,
         order=order_of_accuracy(subsamples, order, about),
-        properties=frozenset({"cyclic", "flip"}),
+        properties=frozenset({"flip"}),
         summary="r_0 = 1, r_n = 1/n sum_j r_(n-1-j) (x) A_j, r = sum r_n",
     )
     def written(q: Quaternion, dtheta: Sequence[Vector], interval: Fraction) -> Any:

@@ -28,7 +28,7 @@ from qcone.ir.real import (
 
 SOURCE = Source("classical", "Runge 1895, Kutta 1901")
 SIXTH, THIRD = F(1, 6), F(1, 3)
-PROPERTIES = frozenset({"cyclic", "flip"})
+PROPERTIES = frozenset({"flip"})
 
 
 def quaternion_form() -> Algorithm:
