@@ -162,9 +162,11 @@ def test_float32_needs_nothing_on_cortex_m4f(zig: Compiler, name: str, level: st
 
 def public_names(name: str) -> frozenset[str]:
     """Return the functions the contract names for a design."""
-    words = {"init", "set_quaternion", "update", "quaternion"}
-    words |= {"dcm"} if shipped(name).driver.has_dcm else set()
-    words |= {"start"} if shipped(name).driver.has_start else set()
+    bundle = shipped(name)
+    design, state = bundle.facts.design, bundle.facts.algorithm.state
+    words = {"init", f"set_{state}", "update", "quaternion", *design.outputs}
+    words |= {"start"} if design.input == "rate" else set()
+    words |= {"ready", "error_estimate"} if design.algorithm == "adams-moulton-4" else set()
     return frozenset(f"{name}_{word}" for word in words)
 
 

@@ -176,11 +176,11 @@ def counts(
     rows = []
     if subject.endswith(".toml"):
         refuse_options(options, "the design file decides; leave the option out")
-        for design in designs_of((subject,), names):
+        for design in designs_of((subject,), names, _say):
             rows += counting.rows_of_design(design, (form or design.form,), against)
     else:
         defaults = {"number": "float64", "max-rate-dps": "573", "update-hz": "100", "outputs": "quaternion,dcm"}
-        design = from_options("counted", subject, options, defaults)
+        design = from_options("counted", subject, options, defaults, _say)
         forms = (form,) if form else counting.FORMS
         rows = [{**row, "design": None} for row in counting.rows_of_design(design, forms, against)]
     _print("counts", rows, layout)

@@ -109,6 +109,8 @@ def _terms(a: History, like: Vector, n: int, order: int, sums: int) -> list[Quat
         if isinstance(k, int):
             terms.append(_record(r, a, k, n))
         heading(f"r_{k} = 1/{k} sum_j r_({k}-1-j) (x) A_j", "xu2019 (7)", like)
+    alternating = ", and with alternating signs" if sums == 2 else ""
+    heading(f"total = r_1 + ... + r_{order}{alternating}", "xu2019 (8)", like)
     parts = [[totals[4 * s + i] for i in range(4)] for s in range(sums)]
     whole = [quaternion(w, vector(x, y, z)) for w, x, y, z in parts]
     for each in whole:

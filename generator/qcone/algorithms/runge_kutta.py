@@ -22,6 +22,7 @@ from qcone.ir.real import (
     algorithm,
     cross,
     increment,
+    matrix,
     rows,
     step,
 )
@@ -62,17 +63,33 @@ def quaternion_form() -> Algorithm:
 
 
 def dcm_form() -> Algorithm:
-    """Return the method on the direction cosine matrix, two rows and their cross product."""
+    """Return the method on the direction cosine matrix: three rows; factored, two rows and their cross product."""
 
     @algorithm(
         "runge-kutta-4-dcm", source=SOURCE, subsamples=2, order=4, properties=PROPERTIES, takes="omega", state="dcm",
         summary="k = C [omega x]; C + h (k1 + 2 k2 + 2 k3 + k4)/6, row by row",
     )  # fmt: skip
+    def written(c: Matrix, omega: Sequence[Vector], interval: Fraction) -> Any:
+        return matrix([entry for i in range(3) for entry in _row_as_written(i, c.row(i), omega, interval)])
+
+    @written.factored
     def by_rows(c: Matrix, omega: Sequence[Vector], interval: Fraction) -> Any:
         rates = [step(f"g{i} = h omega_{i}", "", interval * rate) for i, rate in enumerate(omega)]
         return rows(c, _row("a", c.row(0), rates), _row("b", c.row(1), rates))
 
-    return by_rows
+    return written
+
+
+def _row_as_written(number: int, row: Vector, omega: Sequence[Vector], h: Fraction) -> Vector:
+    start, middle, end = omega
+    name = "abc"[number]
+    k1 = step(f"{name}1 = f({name}, t)", "f = v x omega, v a row of C", cross(row, start))
+    k2 = step(f"{name}2 = f({name} + h {name}1/2, t + h/2)", "", cross(row + (h / 2) * k1, middle))
+    k3 = step(f"{name}3 = f({name} + h {name}2/2, t + h/2)", "", cross(row + (h / 2) * k2, middle))
+    k4 = step(f"{name}4 = f({name} + h {name}3, t + h)", "", cross(row + h * k3, end))
+    change = (h / 6) * (k1 + 2 * k2 + 2 * k3 + k4)
+    text = f"{name}_next = {name} + h ({name}1 + 2 {name}2 + 2 {name}3 + {name}4)/6"
+    return step(text, "", row + change)
 
 
 def _row(name: str, row: Vector, rates: Sequence[Vector]) -> Vector:

@@ -162,6 +162,18 @@ def literal(
     return text if plain else f"{text} /* {exact} */"
 
 
+def _filled(entries: Sequence[str], indent: str) -> Iterator[str]:
+    """Yield entries of an initialiser in lines, a comment beside its entry."""
+    line = indent + entries[0]
+    for entry in entries[1:]:
+        if len(f"{line}, {entry},") > LINE:
+            yield f"{line},"
+            line = indent + entry
+        else:
+            line = f"{line}, {entry}"
+    yield line
+
+
 class _Printer:
     def __init__(self, routine: Routine, program: Program, number: Floating | Fixed, scalar: bool = False) -> None:
         self.routine, self.program, self.number, self.scalar = routine, program, number, scalar
@@ -183,9 +195,9 @@ class _Printer:
     def lines(self) -> Iterator[str]:
         """Yield the body, indented."""
         for block in self.routine.having(Role.TABLE):
-            entries = [literal(entry, None, self.number) for entry in block.entries]
+            entries = map(literal, block.entries, block.exact, [self.number] * block.size)
             yield f"{INDENT}static const {self.number.ctype} {block.name}[{block.size}] = {{"
-            yield from (f"{INDENT * 2}{line}" for line in textwrap.wrap(", ".join(entries), LINE))
+            yield from _filled(list(entries), INDENT * 2)
             yield f"{INDENT}}};"
         for block in self.routine.having(Role.LOCAL):
             yield f"{INDENT}{self.number.ctype} {block.name}[{block.size}];"
