@@ -166,11 +166,12 @@ def public_names(name: str) -> frozenset[str]:
     design, state = bundle.facts.design, bundle.facts.algorithm.state
     words = {"init", f"set_{state}", "update", "quaternion", *design.outputs}
     words |= {"start"} if design.input == "rate" else set()
+    words |= {"renormalise"} if design.renormalise == "separate" else set()
     words |= {"ready", "error_estimate"} if design.algorithm == "adams-moulton-4" else set()
     return frozenset(f"{name}_{word}" for word in words)
 
 
-ARM_DOUBLE = frozenset(f"__aeabi_{word}" for word in ("dadd", "dsub", "dmul", "ddiv", "drsub"))
+ARM_DOUBLE = frozenset(f"__aeabi_{word}" for word in ("dadd", "dsub", "dmul", "ddiv", "drsub", "dcmplt", "dcmpgt"))
 
 
 @pytest.mark.parametrize("name", DOUBLES)

@@ -13,23 +13,18 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from given import GOOD
+from given import COUNTS, GOOD, rows_of
 from help_texts import COMMANDS, FOLDER, file_of, help_of
 
 import qcone
 from qcone import __version__
 from qcone.algorithms import CATALOGUE
-from qcone.cli import DESIGN_OPTIONS, LAYOUTS, main
+from qcone.cli import DESIGN_OPTIONS, main
 from qcone.design import DESIGN_KEYS, IMU_KEYS, NUMBER_KEYS
 from qcone.registry import entries
 
 SOURCES = str(Path(qcone.__file__).parents[1])
 
-COUNTS = [
-    *("design", "algorithm", "form", "level"),
-    *("multiply", "power_of_two", "divide", "add", "subtract", "negate", "square_root", "trigonometric"),
-    *("compare", "select", "shift", "word_bits", "product_bits"),
-]
 VERIFY = [
     *("design", "compiler", "level", "target", "rows", "differing_bits", "first_difference"),
     *("sanitizer_reports", "contracted", "status"),
@@ -59,18 +54,6 @@ def test_options_are_the_words_of_design_keys() -> None:
     keys = {key.name for table in (DESIGN_KEYS, IMU_KEYS, NUMBER_KEYS) for key in table}
     keys |= {parameter.name for entry in entries() for parameter in entry.parameters}
     assert {word.replace("-", "_") for word in DESIGN_OPTIONS} - keys == {"number"}
-
-
-def rows_of(run, *words: str) -> list[dict[str, object]]:
-    result = run(*words, "--format", "json")
-    document = json.loads(result.stdout)
-    assert list(document) == ["schema_version", "command", "rows"]
-    assert document["schema_version"] == 1
-    assert document["command"] == words[0]
-    rows: list[dict[str, object]] = document["rows"]
-    assert rows
-    assert all(not isinstance(value, list | dict) for row in rows for value in row.values()), "flat rows"
-    return rows
 
 
 def test_rows_of_list(run) -> None:
@@ -118,86 +101,6 @@ def test_counts_of_the_paper_are_met(run) -> None:
     assert {key: row[key] for key in wanted} == wanted
     assert row["form"] == "as-written"
     assert {row["level"]: row["multiply"] for row in rows}["paper"] == 70
-
-
-RV, QT, DT = "rotation-vector", "quaternion-taylor", "dcm-taylor"
-TABLE_1 = [
-    (RV, "as-written", "paper", 70, None, 4, 32, 18, 0, 1, 2),
-    (RV, "as-written", "paper-convention", 70, None, 4, 32, 18, 6, 1, 2),
-    (RV, "as-written", "as-written", 70, None, 4, 32, 18, 6, 1, 2),
-    (RV, "factored", "emitted", 50, 0, 0, 39, 18, 0, 0, 0),
-    (QT, "as-written", "paper", 2043, None, 0, 507, 18, 0, 0, 0),
-    (QT, "as-written", "paper-convention", 2043, None, 0, 507, 18, 18, 0, 0),
-    (QT, "as-written", "as-written", 2043, None, 0, 1611, 18, 18, 0, 0),
-    (QT, "factored", "emitted", 337, 15, 0, 208, 162, 0, 0, 0),
-    (DT, "as-written", "paper", 920, None, 0, 270, 9, 0, 0, 0),
-    (DT, "as-written", "paper-convention", 920, None, 0, 270, 9, 9, 0, 0),
-    (DT, "as-written", "as-written", 920, None, 0, 684, 9, 9, 0, 0),
-    (DT, "factored", "emitted", 381, 18, 0, 240, 174, 0, 0, 0),
-]
-"""xu2019 table 1: the paper's columns, ours by its convention, ours in full, and the least form of each.
-
-Negations are counted here and not by the paper; the least forms are for three sub-samples, order 10, matrix included.
-"""
-
-SHOWN = COUNTS[1:-5]
-HEADS = [name.replace("_", " ") for name in SHOWN]
-
-
-def texts(row: tuple[object, ...]) -> list[str]:
-    return ["" if value is None else str(value) for value in row]
-
-
-def test_the_paper_s_whole_table(run) -> None:
-    rows = rows_of(run, "counts")
-    assert [tuple(row[name] for name in SHOWN) for row in rows] == TABLE_1
-    assert rows == rows_of(run, "counts", "--against", "xu2019")
-
-
-def csv_table() -> str:
-    lines = [",".join(COUNTS), *(",".join(["", *texts(row), *[""] * 5]) for row in TABLE_1)]
-    return "\n".join(lines) + "\n"
-
-
-def markdown_table() -> str:
-    rules = "|---|---|---|" + "---:|" * 8
-    return "\n".join([f"| {' | '.join(HEADS)} |", rules, *(f"| {' | '.join(texts(row))} |" for row in TABLE_1)]) + "\n"
-
-
-def latex_table() -> str:
-    upright = [name if name in ("algorithm", "form", "level", "add") else rf"\rotatebox{{90}}{{{name}}}" for name in HEADS]
-    lines = [
-        r"% \usepackage{booktabs,graphicx}",
-        r"\resizebox{\ifdim\width>\linewidth\linewidth\else\width\fi}{!}{%",
-        r"\begin{tabular}{lllrrrrrrrr}",
-        r"\toprule",
-        " & ".join(upright) + r" \\",
-        r"\midrule",
-        *(" & ".join(texts(row)) + r" \\" for row in TABLE_1),
-        r"\bottomrule",
-        r"\end{tabular}}",
-    ]
-    return "\n".join(lines) + "\n"
-
-
-WRITTEN_OUT = {"csv": csv_table, "md": markdown_table, "tex": latex_table}
-
-
-@pytest.mark.parametrize("layout", WRITTEN_OUT)
-def test_layouts(run, layout: str) -> None:
-    result = run("counts", "--format", layout)
-    assert (result.exit_code, result.stderr) == (0, "")
-    assert result.stdout == WRITTEN_OUT[layout]()
-
-
-def test_table_is_the_default_and_every_layout_is_offered(run) -> None:
-    head, *lines = run("counts").stdout.splitlines()
-    assert head.split() == " ".join(HEADS).split()
-    assert [line.split() for line in lines] == [[cell for cell in texts(row) if cell] for row in TABLE_1]
-    assert set(LAYOUTS) == {*WRITTEN_OUT, "table", "json"}
-    result = run("counts", "--format", "xml")
-    assert result.exit_code == 2
-    assert "'xml' is not one of 'table', 'json', 'csv', 'md', 'tex'" in result.stderr
 
 
 def test_csv_is_read_back(run) -> None:

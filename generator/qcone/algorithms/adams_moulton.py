@@ -130,9 +130,7 @@ def _three_steps(q: Quaternion, omega: Sequence[Vector], interval: Fraction, rat
     return increment(q, total), {"f": (slopes[2], slopes[1], slopes[0])}
 
 
-def _three_steps_as_written(
-    q: Quaternion, omega: Sequence[Vector], interval: Fraction, rates: Sequence[Vector]
-) -> Any:
+def _three_steps_as_written(q: Quaternion, omega: Sequence[Vector], interval: Fraction, rates: Sequence[Vector]) -> Any:
     """Write three Runge-Kutta steps of h, each from the attitude the one before leaves."""
     samples = (*rates, *omega)
     slopes: list[Quaternion] = []

@@ -34,7 +34,14 @@ def rows() -> list[Row]:
 
 def _operations(name: str, given: dict[str, int | str], algorithm: Algorithm) -> str:
     taken = "rate" if algorithm.takes == "omega" else "increment"
-    options = {"algorithm": name, **given, "input": taken, "number": "float64", "max_rate_dps": "573", "update_hz": "100"}
+    options = {
+        "algorithm": name,
+        **given,
+        "input": taken,
+        "number": "float64",
+        "max_rate_dps": "573",
+        "update_hz": "100",
+    }
     facts = build(design_from_options("listed", options, entries())).facts
     counts: Counts = (facts.counts.get("steady") or facts.counts["update"])["emitted"]
     return f"{counts.multiply} multiply, {counts.add + counts.subtract} add and subtract"
