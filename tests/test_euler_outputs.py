@@ -137,7 +137,8 @@ def test_angles_stay_in_their_ranges(run: Any, holder: str, convention: str, num
 
 @pytest.mark.parametrize("convention", CONVENTIONS)
 def test_the_header_states_what_is_measured_here(convention: str) -> None:
-    header = " ".join(build(design_of(HOLDERS[0], outputs="euler", euler=convention)).header.replace(" * ", " ").split())
+    bundle = build(design_of(HOLDERS[0], outputs="euler", euler=convention))
+    header = " ".join(bundle.header.replace(" * ", " ").split())
     assert f"convention {convention}; roll and yaw in [-pi, pi], pitch at most pi/2 in size." in header
     assert f"within {REBUILT} units in the last place of pi of the quaternion's, poles included;" in header
     assert f"each angle within {SINGLE} such units over cos(pitch)." in header
