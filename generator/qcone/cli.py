@@ -225,7 +225,7 @@ def explain(algorithm: str, layout: str, **options: str | None) -> None:
     from qcone.studies.selection import from_options
 
     defaults = {"number": "float64", "max-rate-dps": "573", "update-hz": "100"}
-    _print("explain", rows(from_options("explained", algorithm, options, defaults)), layout)
+    _print("explain", rows(from_options("explained", algorithm, options, defaults, _say)), layout)
 
 
 @main.command()

@@ -78,7 +78,8 @@ FILES = {
     "rates asked of increments": (
         HEAD.replace("rotation-vector", "adams-moulton-4"),
         "bad.toml:1: error QC207: design 'mine': adams-moulton-4-runge-kutta-4 takes rates, the design has input = "
-        '"increment", it evaluates the rate at instants, set input = "rate"\n',
+        '"increment", it evaluates the rate at instants, the newest at the end of the interval, set input = "rate" and '
+        "give it rates (replay: --input rate)\n",
     ),
     "no design": (
         "",
