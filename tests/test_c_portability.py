@@ -13,7 +13,7 @@ import pytest
 
 from elf import read_symbols
 from qcone.targets.build import compile_object, warnings
-from qcone.targets.compiler import Compiler, compilers, first_compiler, is_zig
+from qcone.targets.compiler import Compiler, first_compiler
 from shipped import DESIGNS, shipped
 
 STRICT = ("-Wfloat-equal", "-Wstrict-prototypes", "-Wmissing-prototypes", "-Wold-style-definition", "-Wvla")
@@ -25,20 +25,6 @@ SINGLES = [name for name in DESIGNS if DESIGNS[name].number.format == "float32"]
 DOUBLES = [name for name in DESIGNS if DESIGNS[name].number.format == "float64"]
 ONE_EACH = ("rotation_vector_3_coning_float32", "rotation_vector_3_coning_float64")
 MissingTool = Callable[[str], NoReturn]
-
-
-@pytest.fixture(scope="module")
-def gcc(missing_tool: MissingTool) -> Compiler:
-    return next((found for found in compilers() if found.family == "gcc"), None) or missing_tool(
-        "gcc (apt install gcc)"
-    )
-
-
-@pytest.fixture(scope="module")
-def zig(missing_tool: MissingTool) -> Compiler:
-    return next((found for found in compilers() if is_zig(found)), None) or missing_tool(
-        "ziglang (pip install 'qcone[compiler]')"
-    )
 
 
 @pytest.fixture(scope="module", params=["gcc", "zig"])

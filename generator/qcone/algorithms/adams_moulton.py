@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from qcone.algorithms.family import Choice, Conflict, Family, Values
+from qcone.algorithms.family import Choice, Family
 from qcone.ir.real import (
     Algorithm,
     Block,
@@ -170,16 +170,11 @@ def _runge_kutta(q: Quaternion, g: Sequence[Vector], number: int) -> tuple[Quate
     return k1, step(text, "Runge-Kutta", F(1, 6) * (k1 + k4) + F(1, 3) * (k2 + k3))
 
 
-def _conflicts(values: Values, given: frozenset[str]) -> list[Conflict]:
-    return []
-
-
 FAMILY = Family(
     id="adams-moulton-4",
     title="Adams-Bashforth predictor, Adams-Moulton corrector, with Milne's error estimate",
     source=SOURCE,
     parameters=(Choice("starter", STARTERS, STARTERS[0], "method of the first three steps"),),
     make=lambda values: adams_moulton(str(values["starter"] or STARTERS[0])),
-    conflicts=_conflicts,
     examples=({"starter": "runge-kutta-4"}, {"starter": "heun"}),
 )

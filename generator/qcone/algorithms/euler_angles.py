@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from qcone.algorithms.family import Choice, Conflict, Family, Values
+from qcone.algorithms.family import Choice, Family
 from qcone.algorithms.outputs import wrapped
 from qcone.ir.real import (
     PI,
@@ -79,16 +79,11 @@ def _at_most_half_a_turn(angle: Scalar) -> Scalar:
     return select(less(angle, -PI), -PI, angle)
 
 
-def _conflicts(values: Values, given: frozenset[str]) -> list[Conflict]:
-    return []
-
-
 FAMILY = Family(
     id="euler-angles",
     title="Euler angles by Runge-Kutta, the baseline that locks at 90 degrees of pitch",
     source=SOURCE,
     parameters=tuple[Choice, ...](),
     make=lambda values: euler_angles(),
-    conflicts=_conflicts,
     examples=({},),
 )

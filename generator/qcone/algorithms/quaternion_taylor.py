@@ -16,7 +16,7 @@ from fractions import Fraction
 from typing import Any
 
 from qcone.algorithms.dense_taylor import quaternion_dense
-from qcone.algorithms.family import Choice, Conflict, Family, Values
+from qcone.algorithms.family import Choice, Family
 from qcone.algorithms.polynomial_rate import ORDERS, in_components, low_order, order_of_accuracy
 from qcone.ir.real import (
     Algorithm,
@@ -157,10 +157,6 @@ def _about_midpoint(b: Quaternion, a: Quaternion) -> Rotation | Quaternion:
     return rotation(u, step("v = vector part of r", "r = (E - O)* (x) (E + O)", vector(x, y, z)))
 
 
-def _conflicts(values: Values, given: frozenset[str]) -> list[Conflict]:
-    return []
-
-
 FAMILY = Family(
     id="quaternion-taylor",
     title="Taylor series of the quaternion for a polynomial rate",
@@ -173,7 +169,6 @@ FAMILY = Family(
     make=lambda values: quaternion_taylor(
         int(str(values["subsamples"])), int(str(values["order"])), str(values["about"] or "start")
     ),
-    conflicts=_conflicts,
     examples=tuple({"subsamples": n, "order": order, "about": about} for n, order in ORDERS.items() for about in ABOUT),
     caution=low_order,
 )

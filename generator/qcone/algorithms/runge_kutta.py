@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from qcone.algorithms.family import Choice, Conflict, Family, Values
+from qcone.algorithms.family import Choice, Family
 from qcone.ir.real import (
     Algorithm,
     F,
@@ -103,16 +103,11 @@ def _row(name: str, row: Vector, rates: Sequence[Vector]) -> Vector:
     return step(f"d{name} = ({name}1 + {name}4)/6 + ({name}2 + {name}3)/3", "", change)
 
 
-def _conflicts(values: Values, given: frozenset[str]) -> list[Conflict]:
-    return []
-
-
 FAMILY = Family(
     id="runge-kutta-4",
     title="classical Runge-Kutta method on the attitude equation, from rates",
     source=SOURCE,
     parameters=(Choice("attitude", ("quaternion", "dcm"), "quaternion", "what is integrated"),),
     make=lambda values: dcm_form() if values["attitude"] == "dcm" else quaternion_form(),
-    conflicts=_conflicts,
     examples=({"attitude": "quaternion"}, {"attitude": "dcm"}),
 )

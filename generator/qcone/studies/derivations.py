@@ -14,6 +14,7 @@ from qcone.algorithms.dense_taylor import dense_products
 from qcone.algorithms.polynomial_rate import difference_table
 from qcone.algorithms.rotation_vector import sum_difference_weights
 from qcone.design import Design
+from qcone.elimination import solve
 from qcone.ir.specification import Algorithm
 
 Line = tuple[str, str]
@@ -102,7 +103,7 @@ def combination(row: Sequence[Fraction], name: str, first: int = 0) -> str:
 def multistep_weights(nodes: Sequence[int]) -> tuple[list[Fraction], Fraction]:
     """Return the weights that integrate a cubic through four nodes over [0, 1], and the error constant of h^5 y^(5)."""
     powers = [[Fraction(node) ** power for node in nodes] for power in range(len(nodes))]
-    weights = coefficients.solve(powers, [Fraction(1, power + 1) for power in range(len(nodes))])
+    weights = solve(powers, [Fraction(1, power + 1) for power in range(len(nodes))])
     last = sum((w * Fraction(node) ** 4 for w, node in zip(weights, nodes, strict=True)), Fraction(0))
     return weights, (Fraction(1, 5) - last) / factorial(4)
 
