@@ -195,9 +195,10 @@ class _Printer:
     def lines(self) -> Iterator[str]:
         """Yield the body, indented."""
         for block in self.routine.having(Role.TABLE):
-            entries = map(literal, block.entries, block.exact, [self.number] * block.size)
+            pairs = zip(block.entries, block.exact, strict=True)
+            entries = [literal(entry, exact, self.number) for entry, exact in pairs]
             yield f"{INDENT}static const {self.number.ctype} {block.name}[{block.size}] = {{"
-            yield from _filled(list(entries), INDENT * 2)
+            yield from _filled(entries, INDENT * 2)
             yield f"{INDENT}}};"
         for block in self.routine.having(Role.LOCAL):
             yield f"{INDENT}{self.number.ctype} {block.name}[{block.size}];"
