@@ -66,7 +66,8 @@ def dcm_form() -> Algorithm:
     """Return the method on the direction cosine matrix: three rows; factored, two rows and their cross product."""
 
     @algorithm(
-        "runge-kutta-4-dcm", source=SOURCE, subsamples=2, order=4, properties=PROPERTIES, takes="omega", state="dcm",
+        "runge-kutta-4-dcm", source=SOURCE, subsamples=2, order=4, properties=PROPERTIES,
+        written_properties=PROPERTIES | {"cyclic"}, takes="omega", state="dcm",
         summary="k = C [omega x]; C + h (k1 + 2 k2 + 2 k3 + k4)/6, row by row",
     )  # fmt: skip
     def written(c: Matrix, omega: Sequence[Vector], interval: Fraction) -> Any:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from qcone.algorithms import CATALOGUE
 from qcone.backends.counts import Counts
 from qcone.design import design_from_options
@@ -14,6 +16,11 @@ Row = dict[str, object]
 
 def rows() -> list[Row]:
     """Return one row for every algorithm of the catalogue; counts are of the emitted float64 update."""
+    return [dict(row) for row in _rows()]
+
+
+@cache
+def _rows() -> list[Row]:
     found: list[Row] = []
     for family in CATALOGUE:
         for values in family.examples:
