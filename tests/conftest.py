@@ -9,7 +9,7 @@ from typing import NoReturn
 import pytest
 
 from qcone.targets import build
-from qcone.targets.compiler import Compiler, compilers
+from qcone.targets.compiler import Compiler, compilers, is_zig
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -54,6 +54,22 @@ def first_compiler(missing_tool: Callable[[str], NoReturn]) -> Compiler:
     if not found:
         missing_tool("a C compiler (pip install 'qcone[compiler]', or apt install gcc)")
     return found[0]
+
+
+@pytest.fixture(scope="session")
+def gcc(missing_tool: Callable[[str], NoReturn]) -> Compiler:
+    """Find gcc."""
+    return next((found for found in compilers() if found.family == "gcc"), None) or missing_tool(
+        "gcc (apt install gcc)"
+    )
+
+
+@pytest.fixture(scope="session")
+def zig(missing_tool: Callable[[str], NoReturn]) -> Compiler:
+    """Find the compiler that also compiles for microcontrollers."""
+    return next((found for found in compilers() if is_zig(found)), None) or missing_tool(
+        "ziglang (pip install 'qcone[compiler]')"
+    )
 
 
 @pytest.fixture(scope="session")

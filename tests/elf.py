@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 SYMBOL_TABLE = 2
@@ -12,10 +13,11 @@ LOCAL = 0
 
 @dataclass(frozen=True)
 class Symbols:
-    """Names the object leaves undefined, and names it defines for others."""
+    """Names the object leaves undefined, names it defines for others, and the bytes of each of these."""
 
     undefined: frozenset[str]
     exported: frozenset[str]
+    sizes: Mapping[str, int]
 
 
 def read_symbols(data: bytes) -> Symbols:
@@ -26,24 +28,24 @@ def read_symbols(data: bytes) -> Symbols:
     (table,) = struct.unpack_from("<Q" if wide else "<I", data, 40 if wide else 32)
     size, count = struct.unpack_from("<HH", data, 58 if wide else 46)
     sections = [_section(data, table + size * n, wide) for n in range(count)]
-    undefined, exported = set(), set()
+    undefined, sizes = set(), {}
     for kind, offset, length, link in sections:
         if kind != SYMBOL_TABLE:
             continue
         names = sections[link][1]
         for at in range(offset, offset + length, 24 if wide else 16):
             if wide:
-                name, info, _, where = struct.unpack_from("<IBBH", data, at)
+                name, info, _, where, _, bytes_ = struct.unpack_from("<IBBHQQ", data, at)
             else:
-                name, _, _, info, _, where = struct.unpack_from("<IIIBBH", data, at)
+                name, _, bytes_, info, _, where = struct.unpack_from("<IIIBBH", data, at)
             text = data[names + name : data.index(b"\0", names + name)].decode()
             if not text:
                 continue
             if where == UNDEFINED:
                 undefined.add(text)
             elif info >> 4 != LOCAL:
-                exported.add(text)
-    return Symbols(frozenset(undefined), frozenset(exported))
+                sizes[text] = bytes_
+    return Symbols(frozenset(undefined), frozenset(sizes), sizes)
 
 
 def _section(data: bytes, at: int, wide: bool) -> tuple[int, int, int, int]:

@@ -166,6 +166,11 @@ def sensor(bundle: Bundle, body: Array) -> Array:
     return turned
 
 
+def body(bundle: Bundle, sensor: Array) -> Array:
+    """Return vectors (..., 3, rows) along the body's axes, given them along the sensor's."""
+    return np.stack([sign * sensor[..., index, :] for index, sign in bundle.facts.design.axes], axis=-2)
+
+
 def run_rates(bundle: Bundle, q: Array, rates: Array, before: Array) -> Run:
     return Run(bundle, q, sensor(bundle, rates), np.empty(0), sensor(bundle, before))
 
@@ -185,11 +190,12 @@ def test_a_rate_design_keeps_the_symmetries_of_space(name: str) -> None:
 
 @pytest.mark.parametrize("name", RATES)
 def test_a_rate_design_makes_of_its_increments_the_phi_of_the_increment_design(name: str) -> None:
-    """So time reversal and constant rate hold for it as far as they can: about increments."""
+    """So time reversal and constant rate hold for it as far as they can: about increments, turned into body axes."""
     bundle = shipped(name)
     rates, before = body_rates(bundle, 12)
     run = run_rates(bundle, one(bundle), rates, before)
     dtheta = np.array([run.vector(f"theta{i + 1}") for i in range(len(rates))])
+    dtheta = body(bundle, dtheta)
     twin = shipped(name.replace("_rate_", "_"))
     assert twin.facts.algorithm.name == bundle.facts.algorithm.name
     assert same(Run(twin, one(twin), dtheta, np.empty(0)).phi, run.phi)

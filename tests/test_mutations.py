@@ -150,8 +150,8 @@ def history_one_sample_late(patch: Patch) -> None:
 
 def rate_one_sample_late(patch: Patch) -> None:
     """Keep the last but one rate for the next update, instead of the last."""
-    right = assembly._write_raw
-    patch.setattr(assembly, "_write_raw", lambda b, block, source, k: right(b, block, source, max(k - 1, 0)))
+    right = assembly.around.write_raw
+    patch.setattr(assembly.around, "write_raw", lambda b, block, source, k: right(b, block, source, max(k - 1, 0)))
 
 
 def product_reversed(patch: Patch) -> None:

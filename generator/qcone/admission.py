@@ -37,7 +37,8 @@ def check_stages(design: Design, algorithm: Algorithm) -> None:
     """Raise DesignError when the input, or the stage from rates to increments, does not fit the algorithm."""
     if algorithm.takes == "omega" and design.input != "rate":
         what = f'{algorithm.name} takes rates, the design has input = "{design.input}"'
-        raise problem(design, "QC207", what, "it evaluates the rate at instants", 'set input = "rate"')
+        why = "it evaluates the rate at instants, the newest at the end of the interval"
+        raise problem(design, "QC207", what, why, 'set input = "rate" and give it rates (replay: --input rate)')
     if design.increments != "interpolating" and design.input != "rate":
         what = f'increments = "{design.increments}" belongs to input = "rate"'
         raise problem(design, "QC205", what, "angle increments need no stage before the update", "leave the key out")

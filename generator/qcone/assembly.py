@@ -167,8 +167,7 @@ def assemble(algorithm: Algorithm, design: Design, writing: Writing) -> Program:
     if "error" in blocks:
         routines.append(around.error_estimate(blocks["error"], writing))
     if algorithm.phases:
-        held_back = max((phase.limit for phase in algorithm.phases if phase.name == "hold"), default=0)
-        routines.append(around.ready(blocks["count"], held_back + 1))
+        routines.append(around.ready(blocks["count"], algorithm.held + 1))
     return Program(design.name, state, tuple(routines))
 
 

@@ -162,28 +162,8 @@ def counts(
 ) -> None:
     """Count the operations of an update and of the direction cosine matrix, at every level."""
     from qcone.studies import counting
-    from qcone.studies.selection import designs_of, from_options, refuse_options
 
-    form = options.pop("form")
-    if form is not None and form not in counting.FORMS:
-        raise UsageError(f"--form {form}: choose {' or '.join(counting.FORMS)}")
-    if names and not (subject or "").endswith(".toml"):
-        raise UsageError(f"--design {names[0]}: say which design file it is in")
-    if subject is None:
-        refuse_options({"form": form, **options}, "say which algorithm it is for")
-        _print("counts", counting.paper_table(against or "xu2019"), layout)
-        return
-    rows = []
-    if subject.endswith(".toml"):
-        refuse_options(options, "the design file decides; leave the option out")
-        for design in designs_of((subject,), names):
-            rows += counting.rows_of_design(design, (form or design.form,), against)
-    else:
-        defaults = {"number": "float64", "max-rate-dps": "573", "update-hz": "100", "outputs": "quaternion,dcm"}
-        design = from_options("counted", subject, options, defaults)
-        forms = (form,) if form else counting.FORMS
-        rows = [{**row, "design": None} for row in counting.rows_of_design(design, forms, against)]
-    _print("counts", rows, layout)
+    _print("counts", counting.rows(subject, names, against, options, _say), layout)
 
 
 @main.command()
@@ -245,7 +225,7 @@ def explain(algorithm: str, layout: str, **options: str | None) -> None:
     from qcone.studies.selection import from_options
 
     defaults = {"number": "float64", "max-rate-dps": "573", "update-hz": "100"}
-    _print("explain", rows(from_options("explained", algorithm, options, defaults)), layout)
+    _print("explain", rows(from_options("explained", algorithm, options, defaults, _say)), layout)
 
 
 @main.command()
@@ -266,6 +246,17 @@ def reproduce(paper: str | None, plots: Path | None, seed: int, rate_hz: float, 
     for file in figures.draw(shown(reproducing.figures(paper, settings), "drawing"), folder):
         _say(f"drawn: {file}")
     sys.exit(int(reproducing.broken(rows, settings)))
+
+
+@main.command()
+@click.option("--frequency-hz", default=2.5, metavar="HZ", help="Frequency of the coning motion of thesis2008.")
+@report
+def accuracy(frequency_hz: float, layout: str) -> None:
+    """Propagate errors of a unit by the additive model of thesis2008, beside their simulation."""
+    from qcone.studies import error_model
+
+    cases = shown(error_model.standard_cases(), "propagating")
+    _print("accuracy", error_model.error_rows(error_model.coning(frequency_hz), cases), layout)
 
 
 @main.command()

@@ -197,22 +197,31 @@ def _named(compiler: Compiler) -> str:
 
 def differing_bits(words: NDArray[Any], expected: NDArray[Any]) -> int:
     """Count the bits in which two arrays of the same type differ."""
+    return int(np.bitwise_count(_difference(words, expected)).sum())
+
+
+def _difference(words: NDArray[Any], expected: NDArray[Any]) -> NDArray[Any]:
+    """Return the words' bits that differ; sign and payload of a NaN are unspecified, so two NaN are the same."""
     kind = np.uint32 if words.dtype == np.float32 else np.uint64
-    both_nan = np.isnan(words) & np.isnan(expected)  # the payload and sign of a NaN are unspecified
-    return int(np.where(both_nan, 0, np.bitwise_count(words.view(kind) ^ expected.view(kind))).sum())
+    difference: NDArray[Any] = words.view(kind) ^ expected.view(kind)
+    difference[np.isnan(words) & np.isnan(expected)] = 0
+    return difference
+
+
+PARTS = {3: ("roll", "pitch", "yaw"), 4: tuple("wxyz"), 9: tuple(f"{row}{column}" for row in "123" for column in "123")}
+"""What the words of an output are, by their number."""
 
 
 def word_names(bundle: Bundle) -> list[str]:
     """Return what each word of a row is."""
     cast = f"({bundle.driver.word_ctype})"
     names = [word.replace(cast, "").removeprefix("state.") for word in bundle.driver.state_words]
-    return names + [f"{name} {k}" for name, size in bundle.driver.outputs for k in range(size)]
+    return names + [f"{name} {part}" for name, size in bundle.driver.outputs for part in PARTS[size]]
 
 
 def describe_first(bundle: Bundle, vectors: Vectors, words: NDArray[Any], expected: NDArray[Any]) -> str:
     """Say where C and model differ first, with the operands of that update."""
-    kind = np.uint32 if words.dtype == np.float32 else np.uint64
-    different = words.view(kind) != expected.view(kind)
+    different = _difference(words, expected) != 0
     lanes, steps = np.nonzero(different.any(axis=2))
     at = int(np.argmin(steps))
     lane, step = int(lanes[at]), int(steps[at])

@@ -75,10 +75,11 @@ FILES = {
         "bad.toml:1: error QC201: design 'mine': number.format = \"fixed32\" is not available in this version, use "
         "float32 or float64\n",
     ),
-    "an output that is not built yet": (
-        HEAD + 'outputs = ["euler"]\n',
-        "bad.toml:1: error QC203: design 'mine': the output \"euler\" is not available in this version, use "
-        '"quaternion" and "dcm"\n',
+    "rates asked of increments": (
+        HEAD.replace("rotation-vector", "adams-moulton-4"),
+        "bad.toml:1: error QC207: design 'mine': adams-moulton-4-runge-kutta-4 takes rates, the design has input = "
+        '"increment", it evaluates the rate at instants, the newest at the end of the interval, set input = "rate" and '
+        "give it rates (replay: --input rate)\n",
     ),
     "no design": (
         "",
@@ -182,7 +183,7 @@ WRONG = {
     "vector": f"my.py:11: algorithm 'vector' returns Vector, {RETURN}\n",
     "nothing": f"my.py:16: algorithm 'nothing' returns NoneType, {RETURN}\n",
     "undefined": "my.py:24: algorithm 'undefined': NameError: name 'corss' is not defined\n",
-    "other_block": "my.py:27: 'velocity' is not a block of this algorithm; there are: q, dtheta\n",
+    "other_block": "my.py:27: 'velocity' is not a block of this algorithm; there are: q, interval, dtheta\n",
     "short": "my.py:34: algorithm 'short': ValueError: not enough values to unpack (expected 3, got 2)\n",
     "divided": "my.py:40: algorithm 'divided': ZeroDivisionError: Fraction(1, 0)\n",
     "plain": "my.py: 'plain' is not an algorithm: decorate the function with @algorithm\n",
@@ -294,12 +295,12 @@ def test_bad_words(run, words: tuple[str, ...]) -> None:
 
 
 def test_what_whole_designs_show_is_said_of_all_of_them(run, tmp_path: Path) -> None:
-    second = HEAD.replace("mine", "other") + 'outputs = ["euler"]\n'
+    second = HEAD.replace("mine", "other").replace("rotation-vector", "runge-kutta-4")
     dear = GOOD + "budget = { multiply = 3, add = 3 }\n"
     (tmp_path / "bad.toml").write_text(f"{HEAD.replace('float32', 'fixed32')}\n{second}\n{dear}")
     result = run("generate", "bad.toml")
     codes = [line.split(": error ")[1][:5] for line in result.stderr.splitlines()]
-    assert (result.exit_code, result.stdout, codes) == (2, "", ["QC201", "QC203"])
+    assert (result.exit_code, result.stdout, codes) == (2, "", ["QC201", "QC207"])
     (tmp_path / "dear.toml").write_text(dear)
     result = run("generate", "dear.toml")
     over = "38 of 'multiply', over the budget of 3 and 24 of 'add', over the budget of 3"

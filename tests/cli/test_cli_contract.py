@@ -13,22 +13,18 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from given import GOOD
+from given import COUNTS, GOOD, rows_of
 from help_texts import COMMANDS, FOLDER, file_of, help_of
 
 import qcone
 from qcone import __version__
-from qcone.cli import DESIGN_OPTIONS, LAYOUTS, main
+from qcone.algorithms import CATALOGUE
+from qcone.cli import DESIGN_OPTIONS, main
 from qcone.design import DESIGN_KEYS, IMU_KEYS, NUMBER_KEYS
 from qcone.registry import entries
 
 SOURCES = str(Path(qcone.__file__).parents[1])
 
-COUNTS = [
-    *("design", "algorithm", "form", "level"),
-    *("multiply", "power_of_two", "divide", "add", "subtract", "negate", "square_root", "trigonometric"),
-    *("compare", "select", "shift", "word_bits", "product_bits"),
-]
 VERIFY = [
     *("design", "compiler", "level", "target", "rows", "differing_bits", "first_difference"),
     *("sanitizer_reports", "contracted", "status"),
@@ -60,22 +56,11 @@ def test_options_are_the_words_of_design_keys() -> None:
     assert {word.replace("-", "_") for word in DESIGN_OPTIONS} - keys == {"number"}
 
 
-def rows_of(run, *words: str) -> list[dict[str, object]]:
-    result = run(*words, "--format", "json")
-    document = json.loads(result.stdout)
-    assert list(document) == ["schema_version", "command", "rows"]
-    assert document["schema_version"] == 1
-    assert document["command"] == words[0]
-    rows: list[dict[str, object]] = document["rows"]
-    assert rows
-    assert all(not isinstance(value, list | dict) for row in rows for value in row.values()), "flat rows"
-    return rows
-
-
 def test_rows_of_list(run) -> None:
     rows = rows_of(run, "list")
     assert {tuple(row) for row in rows} == {tuple(LIST)}
-    assert {row["id"] for row in rows} == {"rotation-vector", "picard"}
+    assert [*dict.fromkeys(row["id"] for row in rows)] == [family.id for family in CATALOGUE]
+    assert all(row["order"] and row["counts"] and row["source"] for row in rows)
 
 
 def test_rows_of_counts(run, good: Path) -> None:
@@ -116,57 +101,6 @@ def test_counts_of_the_paper_are_met(run) -> None:
     assert {key: row[key] for key in wanted} == wanted
     assert row["form"] == "as-written"
     assert {row["level"]: row["multiply"] for row in rows}["paper"] == 70
-
-
-PAPER = {
-    "csv": """\
-design,algorithm,form,level,multiply,power_of_two,divide,add,subtract,negate,square_root,trigonometric,compare,\
-select,shift,word_bits,product_bits
-,rotation-vector,as-written,paper,70,,4,32,18,0,1,2,,,,,
-,quaternion-taylor,as-written,paper,2043,,0,507,18,0,0,0,,,,,
-,dcm-taylor,as-written,paper,920,,0,270,9,0,0,0,,,,,
-""",
-    "md": """\
-| design | algorithm | form | level | multiply | power_of_two | divide | add | subtract | negate | square_root | \
-trigonometric | compare | select | shift | word_bits | product_bits |
-|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|
-|  | rotation-vector | as-written | paper | 70 |  | 4 | 32 | 18 | 0 | 1 | 2 |  |  |  |  |  |
-|  | quaternion-taylor | as-written | paper | 2043 |  | 0 | 507 | 18 | 0 | 0 | 0 |  |  |  |  |  |
-|  | dcm-taylor | as-written | paper | 920 |  | 0 | 270 | 9 | 0 | 0 | 0 |  |  |  |  |  |
-""",
-    "tex": r"""\begin{tabular}{lllllllllllllllll}
-\toprule
-design & algorithm & form & level & multiply & power\_of\_two & divide & add & subtract & negate & square\_root & """
-    r"""trigonometric & compare & select & shift & word\_bits & product\_bits \\
-\midrule
- & rotation-vector & as-written & paper & 70 &  & 4 & 32 & 18 & 0 & 1 & 2 &  &  &  &  &  \\
- & quaternion-taylor & as-written & paper & 2043 &  & 0 & 507 & 18 & 0 & 0 & 0 &  &  &  &  &  \\
- & dcm-taylor & as-written & paper & 920 &  & 0 & 270 & 9 & 0 & 0 & 0 &  &  &  &  &  \\
-\bottomrule
-\end{tabular}
-""",
-    "table": """\
-algorithm          form        level  multiply  divide  add  subtract  negate  square root  trigonometric
-rotation-vector    as-written  paper        70       4   32        18       0            1              2
-quaternion-taylor  as-written  paper      2043       0  507        18       0            0              0
-dcm-taylor         as-written  paper       920       0  270         9       0            0              0
-""",
-}
-
-
-@pytest.mark.parametrize("layout", PAPER)
-def test_layouts(run, layout: str) -> None:
-    result = run("counts", "--format", layout)
-    assert (result.exit_code, result.stderr) == (0, "")
-    assert result.stdout == PAPER[layout]
-
-
-def test_table_is_the_default_and_every_layout_is_offered(run) -> None:
-    assert run("counts").stdout == PAPER["table"]
-    assert set(LAYOUTS) == {*PAPER, "json"}
-    result = run("counts", "--format", "xml")
-    assert result.exit_code == 2
-    assert "'xml' is not one of 'table', 'json', 'csv', 'md', 'tex'" in result.stderr
 
 
 def test_csv_is_read_back(run) -> None:

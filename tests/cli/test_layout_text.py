@@ -41,9 +41,21 @@ def test_markdown_rows_stay_one_line_and_pipes_are_escaped() -> None:
 
 def test_latex_escapes_what_latex_reads() -> None:
     lines = render("odd", ROWS, "tex").splitlines()
-    assert len(lines) == 6 + len(ROWS)
-    assert r"50 \% of \{x\_1\} \& \$y\^{}2 \~{} \#3 \textbackslash{} end &" in lines[6]
-    assert all(line.endswith(r"\\") for line in lines[4:-2])
+    assert len(lines) == 8 + len(ROWS)
+    assert r"50 \% of \{x\_1\} \& \$y\^{}2 \~{} \#3 \textbackslash{} end &" in lines[8]
+    assert all(line.endswith(r"\\") for line in lines[6:-2])
+
+
+def test_latex_sets_numbers_right_and_wide_headings_upright() -> None:
+    rows = [{"name": "a", "square_root": 1, "long": 12345}, {"name": "b", "square_root": None, "long": 0}]
+    lines = render("odd", rows, "tex").splitlines()
+    assert lines[2] == r"\begin{tabular}{lrr}"
+    assert lines[4] == r"name & \rotatebox{90}{square root} & long \\"
+
+
+@pytest.mark.parametrize("layout", ["md", "tex"])
+def test_what_people_read_leaves_out_columns_that_never_apply(layout: str) -> None:
+    assert "none" not in render("odd", ROWS, layout)
 
 
 def test_table_leaves_out_columns_that_never_apply() -> None:

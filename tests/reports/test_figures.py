@@ -18,7 +18,7 @@ from qcone.studies.claims.claim import Settings
 from qcone.studies.curves.figure import Curve, Figure, Gap, Level, Panel, Span
 
 NAMES = {
-    "cao": ["cao_fig1"],
+    "cao": ["cao_fig1", "cao_lock"],
     "thesis2008": ["thesis2008_drift"],
     "rins": ["rins_fig6", "rins_fig8", "rins_fig13", "rins_fig15", "rins_fig16", "rins_fig18"],
     "xu2019": ["xu2019_fig1", "xu2019_fig2", "xu2019_fig3", "xu2019_fig4"],

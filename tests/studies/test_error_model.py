@@ -135,7 +135,7 @@ def test_small_errors_are_predicted_and_large_ones_shown_not_to_be(table: list[R
         "frame rate error": [True, False],
         "misalignment, 5 mrad/s bias": [True, False, False],
     }
-    assert all(float(str(row["whole"])) < 1e-8 for row in table)
+    assert all(float(str(row["with_products"])) < 1e-8 for row in table)
     assert all(("leaves out products" in str(row["reason"])) != row["holds"] for row in table)
 
 

@@ -157,7 +157,7 @@ static void adams_moulton_4_heun_float32_start_up(
     const float omega_last_y = state->omega_last[1];
     const float omega_last_z = state->omega_last[2];
 
-    /* slopes h q' of the last steps, newest first */
+    /* slopes of the last steps, newest first: h q', as written q' */
     const float f1_w = state->f[0];
     const float f1_x = state->f[1];
     const float f1_y = state->f[2];
@@ -305,7 +305,7 @@ static void adams_moulton_4_heun_float32_steady(
     const float omega_last_y = state->omega_last[1];
     const float omega_last_z = state->omega_last[2];
 
-    /* slopes h q' of the last steps, newest first */
+    /* slopes of the last steps, newest first: h q', as written q' */
     const float f1_w = state->f[0];
     const float f1_x = state->f[1];
     const float f1_y = state->f[2];

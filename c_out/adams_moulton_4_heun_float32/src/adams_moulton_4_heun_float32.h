@@ -71,7 +71,7 @@ extern "C" {
 typedef struct {
     float q[4]; /* attitude quaternion q_nb: w, x, y, z; body to navigation */
     float omega_last[3]; /* newest rate sample so far, rad/s, sensor axes */
-    float f[12]; /* slopes h q' of the last steps, newest first */
+    float f[12]; /* slopes of the last steps, newest first: h q', as written q' */
     float error[4]; /* Milne's estimate of the last step's error */
     int32_t count; /* updates since the last restart, as far as they matter */
 } adams_moulton_4_heun_float32_state;

@@ -121,7 +121,9 @@ void adams_moulton_4_runge_kutta_4_float32_run(int32_t rows, const int32_t *rest
     const float *attitude, const float *before, const float *input,
     float *words, int32_t *contracted)
 {
-    adams_moulton_4_runge_kutta_4_float32_state state = ADAMS_MOULTON_4_RUNGE_KUTTA_4_FLOAT32_STATE_INIT;
+    static const adams_moulton_4_runge_kutta_4_float32_state initial =
+        ADAMS_MOULTON_4_RUNGE_KUTTA_4_FLOAT32_STATE_INIT;
+    adams_moulton_4_runge_kutta_4_float32_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         float *out = &words[47 * row];
         if (restart[row] == 1) {

@@ -75,7 +75,7 @@ extern "C" {
 typedef struct {
     double q[4]; /* attitude quaternion q_nb: w, x, y, z; body to navigation */
     double omega_last[3]; /* newest rate sample so far, rad/s, sensor axes */
-    double f[12]; /* slopes h q' of the last steps, newest first */
+    double f[12]; /* slopes of the last steps, newest first: h q', as written q' */
     double error[4]; /* Milne's estimate of the last step's error */
     double rates[6]; /* rates taken while the starter waits, oldest first, rad/s */
     int32_t count; /* updates since the last restart, as far as they matter */

@@ -121,7 +121,9 @@ void dcm_taylor_3_10_float64_run(int32_t rows, const int32_t *restart,
     const double *attitude, const double *before, const double *input,
     double *words, int32_t *contracted)
 {
-    dcm_taylor_3_10_float64_state state = DCM_TAYLOR_3_10_FLOAT64_STATE_INIT;
+    static const dcm_taylor_3_10_float64_state initial =
+        DCM_TAYLOR_3_10_FLOAT64_STATE_INIT;
+    dcm_taylor_3_10_float64_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         double *out = &words[22 * row];
         if (restart[row] == 1) {

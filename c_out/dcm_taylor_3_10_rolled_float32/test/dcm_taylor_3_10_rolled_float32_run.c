@@ -121,7 +121,9 @@ void dcm_taylor_3_10_rolled_float32_run(int32_t rows, const int32_t *restart,
     const float *attitude, const float *before, const float *input,
     float *words, int32_t *contracted)
 {
-    dcm_taylor_3_10_rolled_float32_state state = DCM_TAYLOR_3_10_ROLLED_FLOAT32_STATE_INIT;
+    static const dcm_taylor_3_10_rolled_float32_state initial =
+        DCM_TAYLOR_3_10_ROLLED_FLOAT32_STATE_INIT;
+    dcm_taylor_3_10_rolled_float32_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         float *out = &words[22 * row];
         if (restart[row] == 1) {

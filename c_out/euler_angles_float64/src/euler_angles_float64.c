@@ -571,7 +571,7 @@ void euler_angles_float64_update(euler_angles_float64_state *state, const double
     const double k4_y_2 = omega2_z * k4_z_51;
     const double k4_y = k4_y_1 - k4_y_2;
 
-    /* change = h (k1 + 2 k2 + 2 k3 + k4)/6 */
+    /* change = h/6 (k1 + k4) + h/3 (k2 + k3) */
     const double change_x_1 = k1_x + k4_x;
     const double change_y_1 = k1_y + k4_y;
     const double change_z_1 = k1_z + k4_z;

@@ -121,7 +121,9 @@ void euler_angles_float64_run(int32_t rows, const int32_t *restart,
     const double *attitude, const double *before, const double *input,
     double *words, int32_t *contracted)
 {
-    euler_angles_float64_state state = EULER_ANGLES_FLOAT64_STATE_INIT;
+    static const euler_angles_float64_state initial =
+        EULER_ANGLES_FLOAT64_STATE_INIT;
+    euler_angles_float64_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         double *out = &words[22 * row];
         if (restart[row] == 1) {

@@ -121,7 +121,9 @@ void picard_1_3_as_written_float64_run(int32_t rows, const int32_t *restart,
     const double *attitude, const double *before, const double *input,
     double *words, int32_t *contracted)
 {
-    picard_1_3_as_written_float64_state state = PICARD_1_3_AS_WRITTEN_FLOAT64_STATE_INIT;
+    static const picard_1_3_as_written_float64_state initial =
+        PICARD_1_3_AS_WRITTEN_FLOAT64_STATE_INIT;
+    picard_1_3_as_written_float64_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         double *out = &words[17 * row];
         if (restart[row] == 1) {

@@ -121,7 +121,9 @@ void picard_1_4_float32_run(int32_t rows, const int32_t *restart,
     const float *attitude, const float *before, const float *input,
     float *words, int32_t *contracted)
 {
-    picard_1_4_float32_state state = PICARD_1_4_FLOAT32_STATE_INIT;
+    static const picard_1_4_float32_state initial =
+        PICARD_1_4_FLOAT32_STATE_INIT;
+    picard_1_4_float32_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         float *out = &words[17 * row];
         if (restart[row] == 1) {

@@ -95,14 +95,16 @@ void quaternion_taylor_3_10_midpoint_rolled_float32_update(
     quaternion_taylor_3_10_midpoint_rolled_float32_state *state, const float dtheta[9])
 {
     static const float fit[9] = {
-        0.75F, 0.75F, -0.03125F, 0.0F, 1.125F, 0.5625F, 0.0F, 0.0F, 0.84375F
+        0.75F, 0.75F, -0.03125F /* -1/32 */, 0.0F, 1.125F, 0.5625F /* 9/16 */, 0.0F, 0.0F,
+        0.84375F /* 27/32 */
     };
     static const float inverse[11] = {
-        0.0F, 1.0F, 0.5F, 0.33333334F, 0.25F, 0.2F, 0.16666667F, 0.14285715F, 0.125F, 0.11111111F, 0.1F
+        0.0F, 1.0F, 0.5F, 0.33333334F /* 1/3 */, 0.25F, 0.2F /* 1/5 */, 0.16666667F /* 1/6 */,
+        0.14285715F /* 1/7 */, 0.125F, 0.11111111F /* 1/9 */, 0.1F /* 1/10 */
     };
     static const float sign[22] = {
-        1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, -1.0F, 1.0F, -1.0F, 1.0F, -1.0F,
-        1.0F, -1.0F, 1.0F, -1.0F, 1.0F
+        1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, -1.0F, 1.0F, -1.0F, 1.0F,
+        -1.0F, 1.0F, -1.0F, 1.0F, -1.0F, 1.0F
     };
     float f[9];
     float A[15];
@@ -174,7 +176,7 @@ void quaternion_taylor_3_10_midpoint_rolled_float32_update(
         total[i] = 0.0F;
     }
 
-    /* u = scalar part of r - 1   [r = (E - O)* (x) (E + O)] */
+    /* total = r_1 + ... + r_10, and with alternating signs   [xu2019 (8)] */
     for (int32_t n = 1; n <= 10; ++n) {
         /* r_n = 1/n sum_j r_(n-1-j) (x) A_j   [xu2019 (7)] */
         for (int32_t i = 0; i <= 3; ++i) {

@@ -121,7 +121,9 @@ void quaternion_taylor_3_10_midpoint_rolled_float64_run(int32_t rows, const int3
     const double *attitude, const double *before, const double *input,
     double *words, int32_t *contracted)
 {
-    quaternion_taylor_3_10_midpoint_rolled_float64_state state = QUATERNION_TAYLOR_3_10_MIDPOINT_ROLLED_FLOAT64_STATE_INIT;
+    static const quaternion_taylor_3_10_midpoint_rolled_float64_state initial =
+        QUATERNION_TAYLOR_3_10_MIDPOINT_ROLLED_FLOAT64_STATE_INIT;
+    quaternion_taylor_3_10_midpoint_rolled_float64_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         double *out = &words[17 * row];
         if (restart[row] == 1) {

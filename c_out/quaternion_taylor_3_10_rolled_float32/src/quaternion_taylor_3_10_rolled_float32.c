@@ -97,7 +97,8 @@ void quaternion_taylor_3_10_rolled_float32_update(
         1.5F, -0.75F, 0.5F, 0.0F, 4.5F, -4.5F, 0.0F, 0.0F, 6.75F
     };
     static const float inverse[11] = {
-        0.0F, 1.0F, 0.5F, 0.33333334F, 0.25F, 0.2F, 0.16666667F, 0.14285715F, 0.125F, 0.11111111F, 0.1F
+        0.0F, 1.0F, 0.5F, 0.33333334F /* 1/3 */, 0.25F, 0.2F /* 1/5 */, 0.16666667F /* 1/6 */,
+        0.14285715F /* 1/7 */, 0.125F, 0.11111111F /* 1/9 */, 0.1F /* 1/10 */
     };
     float f[9];
     float A[15];
@@ -169,7 +170,7 @@ void quaternion_taylor_3_10_rolled_float32_update(
         total[i] = 0.0F;
     }
 
-    /* (total,) = _terms(rate, dtheta[0], subsamples, order, 1) */
+    /* total = r_1 + ... + r_10   [xu2019 (8)] */
     for (int32_t n = 1; n <= 10; ++n) {
         /* r_n = 1/n sum_j r_(n-1-j) (x) A_j   [xu2019 (7)] */
         for (int32_t i = 0; i <= 3; ++i) {

@@ -121,7 +121,9 @@ void quaternion_taylor_3_10_rolled_float32_run(int32_t rows, const int32_t *rest
     const float *attitude, const float *before, const float *input,
     float *words, int32_t *contracted)
 {
-    quaternion_taylor_3_10_rolled_float32_state state = QUATERNION_TAYLOR_3_10_ROLLED_FLOAT32_STATE_INIT;
+    static const quaternion_taylor_3_10_rolled_float32_state initial =
+        QUATERNION_TAYLOR_3_10_ROLLED_FLOAT32_STATE_INIT;
+    quaternion_taylor_3_10_rolled_float32_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         float *out = &words[17 * row];
         if (restart[row] == 1) {

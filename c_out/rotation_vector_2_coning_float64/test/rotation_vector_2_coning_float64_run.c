@@ -121,7 +121,9 @@ void rotation_vector_2_coning_float64_run(int32_t rows, const int32_t *restart,
     const double *attitude, const double *before, const double *input,
     double *words, int32_t *contracted)
 {
-    rotation_vector_2_coning_float64_state state = ROTATION_VECTOR_2_CONING_FLOAT64_STATE_INIT;
+    static const rotation_vector_2_coning_float64_state initial =
+        ROTATION_VECTOR_2_CONING_FLOAT64_STATE_INIT;
+    rotation_vector_2_coning_float64_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         double *out = &words[17 * row];
         if (restart[row] == 1) {

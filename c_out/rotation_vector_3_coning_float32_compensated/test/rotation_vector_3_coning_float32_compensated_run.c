@@ -121,7 +121,9 @@ void rotation_vector_3_coning_float32_compensated_run(int32_t rows, const int32_
     const float *attitude, const float *before, const float *input,
     float *words, int32_t *contracted)
 {
-    rotation_vector_3_coning_float32_compensated_state state = ROTATION_VECTOR_3_CONING_FLOAT32_COMPENSATED_STATE_INIT;
+    static const rotation_vector_3_coning_float32_compensated_state initial =
+        ROTATION_VECTOR_3_CONING_FLOAT32_COMPENSATED_STATE_INIT;
+    rotation_vector_3_coning_float32_compensated_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         float *out = &words[21 * row];
         if (restart[row] == 1) {

@@ -121,7 +121,9 @@ void rotation_vector_3_coning_float64_compensated_run(int32_t rows, const int32_
     const double *attitude, const double *before, const double *input,
     double *words, int32_t *contracted)
 {
-    rotation_vector_3_coning_float64_compensated_state state = ROTATION_VECTOR_3_CONING_FLOAT64_COMPENSATED_STATE_INIT;
+    static const rotation_vector_3_coning_float64_compensated_state initial =
+        ROTATION_VECTOR_3_CONING_FLOAT64_COMPENSATED_STATE_INIT;
+    rotation_vector_3_coning_float64_compensated_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         double *out = &words[21 * row];
         if (restart[row] == 1) {

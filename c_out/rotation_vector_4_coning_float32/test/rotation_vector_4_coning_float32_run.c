@@ -121,7 +121,9 @@ void rotation_vector_4_coning_float32_run(int32_t rows, const int32_t *restart,
     const float *attitude, const float *before, const float *input,
     float *words, int32_t *contracted)
 {
-    rotation_vector_4_coning_float32_state state = ROTATION_VECTOR_4_CONING_FLOAT32_STATE_INIT;
+    static const rotation_vector_4_coning_float32_state initial =
+        ROTATION_VECTOR_4_CONING_FLOAT32_STATE_INIT;
+    rotation_vector_4_coning_float32_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         float *out = &words[17 * row];
         if (restart[row] == 1) {

@@ -121,7 +121,9 @@ void runge_kutta_4_dcm_float32_run(int32_t rows, const int32_t *restart,
     const float *attitude, const float *before, const float *input,
     float *words, int32_t *contracted)
 {
-    runge_kutta_4_dcm_float32_state state = RUNGE_KUTTA_4_DCM_FLOAT32_STATE_INIT;
+    static const runge_kutta_4_dcm_float32_state initial =
+        RUNGE_KUTTA_4_DCM_FLOAT32_STATE_INIT;
+    runge_kutta_4_dcm_float32_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         float *out = &words[25 * row];
         if (restart[row] == 1) {

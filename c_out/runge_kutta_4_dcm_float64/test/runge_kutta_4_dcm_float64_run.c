@@ -121,7 +121,9 @@ void runge_kutta_4_dcm_float64_run(int32_t rows, const int32_t *restart,
     const double *attitude, const double *before, const double *input,
     double *words, int32_t *contracted)
 {
-    runge_kutta_4_dcm_float64_state state = RUNGE_KUTTA_4_DCM_FLOAT64_STATE_INIT;
+    static const runge_kutta_4_dcm_float64_state initial =
+        RUNGE_KUTTA_4_DCM_FLOAT64_STATE_INIT;
+    runge_kutta_4_dcm_float64_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         double *out = &words[25 * row];
         if (restart[row] == 1) {

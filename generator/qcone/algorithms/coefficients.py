@@ -18,6 +18,8 @@ from fractions import Fraction as F  # noqa: N817  as the papers' fractions are 
 from functools import cache
 from math import factorial
 
+from qcone.elimination import rank, solve
+
 Pairs = Mapping[tuple[int, int], F]
 """Weight of theta_i x theta_j for i < j, counted from 1."""
 
@@ -193,33 +195,3 @@ CAO_13: tuple[tuple[F, ...], ...] = (
 )
 """cao (13), three-node weights on omega(0), omega(T/3), omega(2T/3), omega(T). The third row is corrected: the
 paper prints it on omega(0) and omega(T/3), which is not even of first order. A test derives all three."""
-
-
-def solve(rows: Sequence[Sequence[F]], right: Sequence[F]) -> list[F]:
-    """Solve a square linear system exactly; StopIteration cannot occur for the regular systems used here."""
-    size = len(rows)
-    work = [[*row, side] for row, side in zip(rows, right, strict=True)]
-    for column in range(size):
-        pivot = next(row for row in range(column, size) if work[row][column])
-        work[column], work[pivot] = work[pivot], work[column]
-        for row in range(size):
-            if row != column and work[row][column]:
-                factor = work[row][column] / work[column][column]
-                work[row] = [p - factor * q for p, q in zip(work[row], work[column], strict=True)]
-    return [work[i][size] / work[i][i] for i in range(size)]
-
-
-def rank(rows: Sequence[Sequence[F]]) -> int:
-    """Return the rank of a rational matrix."""
-    work = [list(row) for row in rows]
-    found = 0
-    for column in range(len(work[0]) if work else 0):
-        pivot = next((row for row in range(found, len(work)) if work[row][column]), None)
-        if pivot is None:
-            continue
-        work[found], work[pivot] = work[pivot], work[found]
-        for row in range(found + 1, len(work)):
-            factor = work[row][column] / work[found][column]
-            work[row] = [p - factor * q for p, q in zip(work[row], work[found], strict=True)]
-        found += 1
-    return found

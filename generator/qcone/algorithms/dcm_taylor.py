@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from qcone.algorithms.dense_taylor import dcm_dense
-from qcone.algorithms.family import Choice, Conflict, Family, Values
+from qcone.algorithms.family import Choice, Family
 from qcone.algorithms.polynomial_rate import ORDERS, in_components, low_order, order_of_accuracy
 from qcone.algorithms.quaternion_taylor import MOST_ORDER
 from qcone.ir.real import (
@@ -50,7 +50,7 @@ def dcm_taylor(subsamples: int, order: int) -> Algorithm:
         source=SOURCE,
         subsamples=subsamples,
         order=order_of_accuracy(subsamples, order),
-        properties=frozenset({"cyclic", "flip"}),
+        properties=frozenset({"flip"}),
         summary="v_0 = v, v_n = 1/n sum_j v_(n-1-j) x W_j, row by row",
         errata=("xu2019 (11) multiplies from the wrong side", "xu2019 (13) lacks the constants 1, 2, 6"),
         state="dcm",
@@ -123,10 +123,6 @@ def _component(name: str, part: Index | int, value: Scalar) -> Scalar:
     return named(f"{name}_{'xyz'[part]}", value) if isinstance(part, int) else value
 
 
-def _conflicts(values: Values, given: frozenset[str]) -> list[Conflict]:
-    return []
-
-
 FAMILY = Family(
     id="dcm-taylor",
     title="Taylor series of the direction cosine matrix for a polynomial rate",
@@ -136,7 +132,6 @@ FAMILY = Family(
         Choice("order", tuple(range(1, MOST_ORDER + 1)), 10, "order of the series"),
     ),
     make=lambda values: dcm_taylor(int(str(values["subsamples"])), int(str(values["order"]))),
-    conflicts=_conflicts,
     examples=tuple({"subsamples": n, "order": order} for n, order in ORDERS.items()),
     caution=low_order,
 )

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from qcone.algorithms.family import Choice, Conflict, Family, Values
+from qcone.algorithms.family import Choice, Family
 from qcone.algorithms.outputs import wrapped
 from qcone.ir.real import (
     PI,
@@ -50,7 +50,7 @@ def euler_angles() -> Algorithm:
         k2 = _slope("k2", rpy + _cut((half * h) * k1), middle)
         k3 = _slope("k3", rpy + _cut((half * h) * k2), middle)
         k4 = _slope("k4", rpy + _cut(h * k3), end)
-        change = step("change = h (k1 + 2 k2 + 2 k3 + k4)/6", "", (h / 6) * (k1 + k4) + (h / 3) * (k2 + k3))
+        change = step("change = h/6 (k1 + k4) + h/3 (k2 + k3)", "", (h / 6) * (k1 + k4) + (h / 3) * (k2 + k3))
         roll, pitch, yaw = rpy + _cut(change)
         text = "rpy_next = rpy + change, each in [-pi, pi]"
         return step(text, "", vector(wrapped(roll), wrapped(pitch), wrapped(yaw)))
@@ -79,16 +79,11 @@ def _at_most_half_a_turn(angle: Scalar) -> Scalar:
     return select(less(angle, -PI), -PI, angle)
 
 
-def _conflicts(values: Values, given: frozenset[str]) -> list[Conflict]:
-    return []
-
-
 FAMILY = Family(
     id="euler-angles",
     title="Euler angles by Runge-Kutta, the baseline that locks at 90 degrees of pitch",
     source=SOURCE,
     parameters=tuple[Choice, ...](),
     make=lambda values: euler_angles(),
-    conflicts=_conflicts,
     examples=({},),
 )

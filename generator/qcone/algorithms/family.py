@@ -31,7 +31,8 @@ class Family:
     source: Source
     parameters: tuple[Choice, ...]
     make: Callable[[Values], Algorithm]
-    conflicts: Callable[[Values, frozenset[str]], Sequence[Conflict]]
+    conflicts: Callable[[Values, frozenset[str]], Sequence[Conflict]] = lambda values, given: ()
+    """What is wrong with a choice, given the names that were chosen and not left to their defaults."""
     examples: tuple[Values, ...] = field(default_factory=tuple)
     """One choice of parameters for every algorithm of the family: what tests and `list` go through."""
     caution: Callable[[Values], str | None] = lambda _: None

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from qcone.algorithms.family import Choice, Conflict, Family, Values
+from qcone.algorithms.family import Choice, Family
 from qcone.algorithms.rotation_vector import SYMMETRIC, Vectors
 from qcone.ir.real import (
     Algorithm,
@@ -97,16 +97,11 @@ def _series_factored(sigma: Vector, order: int) -> Rotation | Quaternion:
     return rotation(u, step("v = s phi", "cao (9)", s * sigma))
 
 
-def _conflicts(values: Values, given: frozenset[str]) -> list[Conflict]:
-    return []
-
-
 FAMILY = Family(
     id="picard",
     title="Picard series for one angle increment, axis held fixed",
     source=SOURCE,
     parameters=(Choice("order", ORDERS, "closed", "order of the series in |sigma|"),),
     make=lambda values: picard(values["order"] or "closed"),
-    conflicts=_conflicts,
     examples=tuple({"order": order} for order in ORDERS),
 )

@@ -16,7 +16,7 @@ from fractions import Fraction
 from typing import Any
 
 from qcone.algorithms.dense_taylor import quaternion_dense
-from qcone.algorithms.family import Choice, Conflict, Family, Values
+from qcone.algorithms.family import Choice, Family
 from qcone.algorithms.polynomial_rate import ORDERS, in_components, low_order, order_of_accuracy
 from qcone.ir.real import (
     Algorithm,
@@ -57,7 +57,7 @@ def quaternion_taylor(subsamples: int, order: int, about: str) -> Algorithm:
         source=SOURCE,
         subsamples=subsamples,
         order=order_of_accuracy(subsamples, order, about),
-        properties=frozenset({"cyclic", "flip"}),
+        properties=frozenset({"flip"}),
         summary="r_0 = 1, r_n = 1/n sum_j r_(n-1-j) (x) A_j, r = sum r_n",
     )
     def written(q: Quaternion, dtheta: Sequence[Vector], interval: Fraction) -> Any:
@@ -109,6 +109,8 @@ def _terms(a: History, like: Vector, n: int, order: int, sums: int) -> list[Quat
         if isinstance(k, int):
             terms.append(_record(r, a, k, n))
         heading(f"r_{k} = 1/{k} sum_j r_({k}-1-j) (x) A_j", "xu2019 (7)", like)
+    alternating = ", and with alternating signs" if sums == 2 else ""
+    heading(f"total = r_1 + ... + r_{order}{alternating}", "xu2019 (8)", like)
     parts = [[totals[4 * s + i] for i in range(4)] for s in range(sums)]
     whole = [quaternion(w, vector(x, y, z)) for w, x, y, z in parts]
     for each in whole:
@@ -153,10 +155,6 @@ def _about_midpoint(b: Quaternion, a: Quaternion) -> Rotation | Quaternion:
     return rotation(u, step("v = vector part of r", "r = (E - O)* (x) (E + O)", vector(x, y, z)))
 
 
-def _conflicts(values: Values, given: frozenset[str]) -> list[Conflict]:
-    return []
-
-
 FAMILY = Family(
     id="quaternion-taylor",
     title="Taylor series of the quaternion for a polynomial rate",
@@ -169,7 +167,6 @@ FAMILY = Family(
     make=lambda values: quaternion_taylor(
         int(str(values["subsamples"])), int(str(values["order"])), str(values["about"] or "start")
     ),
-    conflicts=_conflicts,
     examples=tuple({"subsamples": n, "order": order, "about": about} for n, order in ORDERS.items() for about in ABOUT),
     caution=low_order,
 )

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from qcone.algorithms.family import Choice, Conflict, Family, Values
+from qcone.algorithms.family import Choice, Family
 from qcone.ir.real import (
     Algorithm,
     F,
@@ -22,13 +22,14 @@ from qcone.ir.real import (
     algorithm,
     cross,
     increment,
+    matrix,
     rows,
     step,
 )
 
 SOURCE = Source("classical", "Runge 1895, Kutta 1901")
 SIXTH, THIRD = F(1, 6), F(1, 3)
-PROPERTIES = frozenset({"cyclic", "flip"})
+PROPERTIES = frozenset({"flip"})
 
 
 def quaternion_form() -> Algorithm:
@@ -62,17 +63,34 @@ def quaternion_form() -> Algorithm:
 
 
 def dcm_form() -> Algorithm:
-    """Return the method on the direction cosine matrix, two rows and their cross product."""
+    """Return the method on the direction cosine matrix: three rows; factored, two rows and their cross product."""
 
     @algorithm(
-        "runge-kutta-4-dcm", source=SOURCE, subsamples=2, order=4, properties=PROPERTIES, takes="omega", state="dcm",
+        "runge-kutta-4-dcm", source=SOURCE, subsamples=2, order=4, properties=PROPERTIES,
+        written_properties=PROPERTIES | {"cyclic"}, takes="omega", state="dcm",
         summary="k = C [omega x]; C + h (k1 + 2 k2 + 2 k3 + k4)/6, row by row",
     )  # fmt: skip
+    def written(c: Matrix, omega: Sequence[Vector], interval: Fraction) -> Any:
+        return matrix([entry for i in range(3) for entry in _row_as_written(i, c.row(i), omega, interval)])
+
+    @written.factored
     def by_rows(c: Matrix, omega: Sequence[Vector], interval: Fraction) -> Any:
         rates = [step(f"g{i} = h omega_{i}", "", interval * rate) for i, rate in enumerate(omega)]
         return rows(c, _row("a", c.row(0), rates), _row("b", c.row(1), rates))
 
-    return by_rows
+    return written
+
+
+def _row_as_written(number: int, row: Vector, omega: Sequence[Vector], h: Fraction) -> Vector:
+    start, middle, end = omega
+    name = "abc"[number]
+    k1 = step(f"{name}1 = f({name}, t)", "f = v x omega, v a row of C", cross(row, start))
+    k2 = step(f"{name}2 = f({name} + h {name}1/2, t + h/2)", "", cross(row + (h / 2) * k1, middle))
+    k3 = step(f"{name}3 = f({name} + h {name}2/2, t + h/2)", "", cross(row + (h / 2) * k2, middle))
+    k4 = step(f"{name}4 = f({name} + h {name}3, t + h)", "", cross(row + h * k3, end))
+    change = (h / 6) * (k1 + 2 * k2 + 2 * k3 + k4)
+    text = f"{name}_next = {name} + h ({name}1 + 2 {name}2 + 2 {name}3 + {name}4)/6"
+    return step(text, "", row + change)
 
 
 def _row(name: str, row: Vector, rates: Sequence[Vector]) -> Vector:
@@ -86,16 +104,11 @@ def _row(name: str, row: Vector, rates: Sequence[Vector]) -> Vector:
     return step(f"d{name} = ({name}1 + {name}4)/6 + ({name}2 + {name}3)/3", "", change)
 
 
-def _conflicts(values: Values, given: frozenset[str]) -> list[Conflict]:
-    return []
-
-
 FAMILY = Family(
     id="runge-kutta-4",
     title="classical Runge-Kutta method on the attitude equation, from rates",
     source=SOURCE,
     parameters=(Choice("attitude", ("quaternion", "dcm"), "quaternion", "what is integrated"),),
     make=lambda values: dcm_form() if values["attitude"] == "dcm" else quaternion_form(),
-    conflicts=_conflicts,
     examples=({"attitude": "quaternion"}, {"attitude": "dcm"}),
 )

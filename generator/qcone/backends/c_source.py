@@ -160,6 +160,18 @@ def literal(constant: Fraction, exact: Fraction | None, number: Floating | Fixed
     return text if plain else f"{text} /* {exact} */"
 
 
+def _filled(entries: Sequence[str], indent: str) -> Iterator[str]:
+    """Yield entries of an initialiser in lines, a comment beside its entry."""
+    line = indent + entries[0]
+    for entry in entries[1:]:
+        if len(f"{line}, {entry},") > LINE:
+            yield f"{line},"
+            line = indent + entry
+        else:
+            line = f"{line}, {entry}"
+    yield line
+
+
 class _Printer:
     def __init__(self, routine: Routine, program: Program, number: Floating | Fixed, scalar: bool = False) -> None:
         self.routine, self.program, self.number, self.scalar = routine, program, number, scalar
@@ -179,9 +191,10 @@ class _Printer:
     def lines(self) -> Iterator[str]:
         """Yield the body, indented."""
         for block in self.routine.having(Role.TABLE):
-            entries = [literal(entry, None, self.number) for entry in block.entries]
+            pairs = zip(block.entries, block.exact, strict=True)
+            entries = [literal(entry, exact, self.number) for entry, exact in pairs]
             yield f"{INDENT}static const {self.number.ctype} {block.name}[{block.size}] = {{"
-            yield from (f"{INDENT * 2}{line}" for line in textwrap.wrap(", ".join(entries), LINE))
+            yield from _filled(entries, INDENT * 2)
             yield f"{INDENT}}};"
         for block in self.routine.having(Role.LOCAL):
             yield f"{INDENT}{self.number.ctype} {block.name}[{block.size}];"

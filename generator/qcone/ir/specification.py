@@ -81,6 +81,11 @@ class Algorithm:
         self.written, self.write = self.write, function
         return self
 
+    @property
+    def held(self) -> int:
+        """Return for how many updates after a restart a starter holds the attitude."""
+        return max((phase.limit for phase in self.phases if phase.name == "hold"), default=0)
+
     def author(self, form: str) -> Author:
         """Return the author's function for a form, "as-written" or "factored"."""
         return self.written if form == "as-written" and self.written is not None else self.write

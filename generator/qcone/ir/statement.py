@@ -55,8 +55,8 @@ class Block:
     """A named, typed block of components: `count` scalars, vectors, quaternions or matrices in a row.
 
     `unit` is for the reader; `norm` bounds the Euclidean norm of each of the `count` entries, where it is
-    declared; `entries` are the constants of a table. `integer` marks a counter; `format` is that of its words in
-    fixed point.
+    declared; `entries` are the constants of a table, in the machine language rounded, with `exact` what they were
+    rounded from. `integer` marks a counter; `format` is that of its words in fixed point.
     """
 
     name: str
@@ -66,6 +66,7 @@ class Block:
     unit: str = ""
     norm: Fraction | None = None
     entries: tuple[Fraction, ...] = ()
+    exact: tuple[Fraction, ...] = ()
     integer: bool = False
     format: Signal | None = None
 

@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, Routine, Statement
-from qcone.passes.rebuild import rebuild, regrouped
+from qcone.passes.rebuild import names_after, rebuild, regrouped
 
 _EXACT: Mapping[object, Callable[..., Fraction | None]] = {
     RealOp.ADD: lambda a, b: a + b,
@@ -46,9 +46,6 @@ def fold(routine: Routine) -> Routine:
         return (operation,)
 
     body = rebuild(routine.body, visit, renamed)
-    names = dict(routine.names)
-    for gone, stand_in in renamed.items():
-        if gone in names:
-            names.setdefault(stand_in, names[gone])
+    names = names_after(routine.names, renamed)
     callees = {name: fold(callee) for name, callee in routine.callees.items()}
     return replace(routine, body=body, names=names, groups=regrouped(routine.groups, renamed), callees=callees)

@@ -6,6 +6,7 @@ from fractions import Fraction
 from functools import cache
 from math import factorial, isqrt
 
+from qcone.elimination import solve
 from qcone.formats.floating import Floating
 from qcone.ir.writing import Functions
 from qcone.passes import polynomial
@@ -109,7 +110,7 @@ def _interpolated(degree: int) -> list[Fraction]:
     nodes = [Fraction(5, 2) + Fraction(3, 2) * _cosine(2 * k + 1, 2 * degree + 2) for k in range(degree + 1)]
     rows = [[t**power for power in range(degree + 1)] for t in nodes]
     roots = [Fraction(10**24, isqrt(int(t * 10**24) * 10**24)) for t in nodes]
-    solution = polynomial.solve(rows, roots)
+    solution = solve(rows, roots)
     return [Fraction(round(c * 2**44), 2**44) for c in solution]
 
 

@@ -53,7 +53,7 @@ def lower_float(routine: Routine, number: Floating) -> Routine:
 
     body = rebuild(routine.body, visit, {})
     blocks = tuple(
-        replace(block, entries=tuple(_rounded(entry, routine, number) for entry in block.entries))
+        replace(block, entries=tuple(_rounded(each, routine, number) for each in block.entries), exact=block.entries)
         for block in routine.blocks
     )
     callees = {name: lower_float(callee, number) for name, callee in routine.callees.items()}

@@ -12,6 +12,8 @@ from fractions import Fraction
 from math import comb, lcm
 from operator import mul
 
+from qcone.elimination import solve
+
 Polynomial = Sequence[Fraction]
 """Coefficients from the constant on."""
 
@@ -106,20 +108,6 @@ def _extremes(
     while len(runs) > count:
         runs.pop(0 if runs[0][0] < runs[-1][0] else -1)
     return [k for _, k in runs]
-
-
-def solve(rows: list[list[Fraction]], right: list[Fraction]) -> list[Fraction]:
-    """Solve a small linear system exactly, by elimination."""
-    size = len(rows)
-    work = [[*row, value_] for row, value_ in zip(rows, right, strict=True)]
-    for column in range(size):
-        pivot = next(row for row in range(column, size) if work[row][column])
-        work[column], work[pivot] = work[pivot], work[column]
-        for row in range(size):
-            if row != column and work[row][column]:
-                factor = work[row][column] / work[column][column]
-                work[row] = [a - factor * b for a, b in zip(work[row], work[column], strict=True)]
-    return [work[i][size] / work[i][i] for i in range(size)]
 
 
 def simplest(low: Fraction, high: Fraction) -> Fraction:

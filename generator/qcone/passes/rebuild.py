@@ -48,3 +48,12 @@ def final(value: int, renamed: Mapping[int, int]) -> int:
     while value in renamed:
         value = renamed[value]
     return value
+
+
+def names_after(names: Mapping[int, str], renamed: Mapping[int, int]) -> dict[int, str]:
+    """Return the names of values where some stand in for others: a value without a name takes that of the one gone."""
+    kept = dict(names)
+    for gone, stand_in in renamed.items():
+        if gone in kept:
+            kept.setdefault(stand_in, kept[gone])
+    return kept

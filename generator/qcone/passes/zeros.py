@@ -14,7 +14,7 @@ from fractions import Fraction
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, Routine, Statement
 from qcone.passes.fold import fold
-from qcone.passes.rebuild import rebuild, regrouped
+from qcone.passes.rebuild import names_after, rebuild, regrouped
 from qcone.passes.share import share
 
 
@@ -42,10 +42,7 @@ def _once(routine: Routine) -> Routine:
         return (operation,)
 
     body = rebuild(routine.body, visit, renamed)
-    names = dict(routine.names)
-    for gone, stand_in in renamed.items():
-        if gone in names:
-            names.setdefault(stand_in, names[gone])
+    names = names_after(routine.names, renamed)
     return replace(routine, body=body, names=names, groups=regrouped(routine.groups, renamed))
 
 

@@ -33,23 +33,33 @@ def _csv(command: str, rows: Sequence[Row]) -> str:
 
 
 def _markdown(command: str, rows: Sequence[Row]) -> str:
-    columns = _columns(rows)
-    lines = [f"| {' | '.join(columns)} |", f"|{'---|' * len(columns)}"]
-    lines += [f"| {' | '.join(_line(value).replace('|', chr(92) + '|') for value in row.values())} |" for row in rows]
+    shown = _shown(rows)
+    rules = "".join("---:|" if _numbers(rows, name) else "---|" for name in shown)
+    lines = [f"| {' | '.join(map(_head, shown))} |", f"|{rules}"]
+    lines += [f"| {' | '.join(_line(row[name]).replace('|', chr(92) + '|') for name in shown)} |" for row in rows]
     return "\n".join(lines) + "\n"
 
 
 def _latex(command: str, rows: Sequence[Row]) -> str:
-    r"""Return a booktabs table to be put in by \\input."""
-    columns = _columns(rows)
+    r"""Return a table to be put in by \\input, shrunk where it is wider than the line."""
+    shown = _shown(rows)
     lines = [
-        rf"\begin{{tabular}}{{{'l' * len(columns)}}}",
+        r"% \usepackage{booktabs,graphicx}",
+        r"\resizebox{\ifdim\width>\linewidth\linewidth\else\width\fi}{!}{%",
+        rf"\begin{{tabular}}{{{''.join('r' if _numbers(rows, name) else 'l' for name in shown)}}}",
         r"\toprule",
-        " & ".join(map(_tex, columns)) + r" \\",
+        " & ".join(_latex_head(rows, name) for name in shown) + r" \\",
         r"\midrule",
     ]
-    lines += [" & ".join(_tex(_line(value)) for value in row.values()) + r" \\" for row in rows]
-    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}"]) + "\n"
+    lines += [" & ".join(_tex(_line(row[name])) for name in shown) + r" \\" for row in rows]
+    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}}"]) + "\n"
+
+
+def _latex_head(rows: Sequence[Row], name: str) -> str:
+    """Return a heading, upright where it is much wider than the numbers below it."""
+    head = _tex(_head(name))
+    widest = max(len(_line(row[name])) for row in rows)
+    return rf"\rotatebox{{90}}{{{head}}}" if _numbers(rows, name) and len(head) > widest + 3 else head
 
 
 def _table(command: str, rows: Sequence[Row]) -> str:
@@ -57,10 +67,9 @@ def _table(command: str, rows: Sequence[Row]) -> str:
     from rich.table import Table
 
     table = Table(box=None, pad_edge=False, header_style="bold")
-    shown = [name for name in _columns(rows) if any(row[name] is not None for row in rows)]
+    shown = _shown(rows)
     for name in shown:
-        numbers = all(isinstance(row[name], int | float) or row[name] is None for row in rows)
-        table.add_column(name.replace("_", " "), justify="right" if numbers else "left", overflow="fold")
+        table.add_column(_head(name), justify="right" if _numbers(rows, name) else "left", overflow="fold")
     for row in rows:
         table.add_row(*(_cell(row[name]) for name in shown))
     terminal = sys.stdout.isatty()
@@ -73,6 +82,19 @@ def _table(command: str, rows: Sequence[Row]) -> str:
     console.print(table)
     text = page.getvalue()
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
+
+
+def _shown(rows: Sequence[Row]) -> list[str]:
+    """Return the columns that apply to a row at least: what people read leaves the others out."""
+    return [name for name in _columns(rows) if any(row[name] is not None for row in rows)]
+
+
+def _numbers(rows: Sequence[Row], name: str) -> bool:
+    return all(isinstance(row[name], int | float) or row[name] is None for row in rows)
+
+
+def _head(name: str) -> str:
+    return name.replace("_", " ")
 
 
 def _columns(rows: Sequence[Row]) -> list[str]:

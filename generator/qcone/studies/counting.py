@@ -17,6 +17,7 @@ from qcone.ir.writing import AS_WRITTEN
 from qcone.passes.functions import choose_functions
 from qcone.pipeline import build, choose_exponential, prepare
 from qcone.registry import algorithm_of, entries
+from qcone.studies.selection import Say, designs_of, from_options, refuse_options
 
 Row = dict[str, object]
 
@@ -27,9 +28,23 @@ XU2019_TABLE_1: Mapping[str, Counts] = {
 }
 """xu2019 table 1, operations for the attitude matrix with three sub-samples; the Taylor rows of order 10."""
 
-TABLE_DESIGN = {"number": "float64", "max_rate_dps": "573", "update_hz": "100", "outputs": "quaternion,dcm"}
+TABLE_DESIGN = {
+    "number": "float64",
+    "max_rate_dps": "573",
+    "update_hz": "100",
+    "outputs": "quaternion,dcm",
+    "renormalise": "never",
+}
+"""The paper's algorithms do not renormalise; what they are compared with does not either."""
+
 PAPERS = {"xu2019": XU2019_TABLE_1}
 FORMS = ("as-written", "factored")
+TABLE_ROWS = (
+    ("as-written", "paper"),
+    ("as-written", "paper-convention"),
+    ("as-written", "as-written"),
+    ("factored", "emitted"),
+)
 COMPARABLE: Mapping[str, Mapping[str, int]] = {
     "rotation-vector": {"subsamples": 3},
     "quaternion-taylor": {"subsamples": 3, "order": 10},
@@ -39,6 +54,32 @@ COMPARABLE: Mapping[str, Mapping[str, int]] = {
 
 DENSE_SIZE = {"quaternion-taylor": 4, "dcm-taylor": 3}
 """Rows of the matrices whose products the paper's Taylor columns count."""
+
+
+def rows(
+    subject: str | None, names: Sequence[str], against: str | None, options: Mapping[str, str | None], say: Say
+) -> list[Row]:
+    """Return the counts of a catalogue id with its options, of the designs of a file, or a paper's whole table.
+
+    Raises UsageError for options that do not go together.
+    """
+    form = options["form"]
+    others = {word: value for word, value in options.items() if word != "form"}
+    if form is not None and form not in FORMS:
+        raise UsageError(f"--form {form}: choose {' or '.join(FORMS)}")
+    if names and not (subject or "").endswith(".toml"):
+        raise UsageError(f"--design {names[0]}: say which design file it is in")
+    if subject is None:
+        refuse_options(options, "say which algorithm it is for")
+        return paper_table(against or "xu2019")
+    if subject.endswith(".toml"):
+        refuse_options(others, "the design file decides; leave the option out")
+        designs = designs_of((subject,), names, say)
+        return [row for design in designs for row in rows_of_design(design, (form or design.form,), against)]
+    defaults = {"number": "float64", "max-rate-dps": "573", "update-hz": "100", "outputs": "quaternion,dcm"}
+    design = from_options("counted", subject, others, defaults, say)
+    found = rows_of_design(design, (form,) if form else FORMS, against)
+    return [{**row, "design": None} for row in found]
 
 
 def rows_of_design(design: Design, forms: Sequence[str], against: str | None = None) -> list[Row]:
@@ -56,14 +97,18 @@ def rows_of_design(design: Design, forms: Sequence[str], against: str | None = N
     return rows
 
 
-def paper_table(paper: str, forms: Sequence[str] = FORMS) -> list[Row]:
-    """Return the paper's whole table: its columns, ours by its convention, in full, and the least form of each."""
+def paper_table(paper: str) -> list[Row]:
+    """Return the paper's whole table, four rows an algorithm.
+
+    They are its column, ours by its convention, ours as written with every operation counted, and the least form.
+    """
     rows: list[Row] = []
     for name in _table(paper):
         given = {"algorithm": name, **COMPARABLE[name], **TABLE_DESIGN}
         if name == "rotation-vector":
             given["coefficients"] = "taylor"
-        rows += rows_of_design(design_from_options("counted", given, entries()), forms, paper)
+        every = rows_of_design(design_from_options("counted", given, entries()), FORMS, paper)
+        rows += [row for row in every if (row["form"], row["level"]) in TABLE_ROWS]
     return [{**row, "design": None} for row in rows]
 
 
@@ -106,12 +151,10 @@ def _by_convention(design: Design, counts: Counts) -> Counts:
 
 def _levels(design: Design, form: str, against: bool) -> list[Row]:
     algorithm, number = algorithm_of(design), number_of(design)
-    functions = choose_functions(number)
-    if form == "as-written":
-        writing = replace(AS_WRITTEN, functions=functions)
-    else:
+    writing = AS_WRITTEN
+    if form != "as-written":
         chosen = choose_exponential(design, algorithm, number)
-        writing = writing_of(design, chosen.series if chosen else None, functions)
+        writing = writing_of(design, chosen.series if chosen else None, choose_functions(number))
     written = assemble(algorithm, design, writing)
     ready = prepare(written, design)
     counted = _written(written).as_papers_count()

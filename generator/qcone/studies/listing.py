@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from qcone.algorithms import CATALOGUE
 from qcone.backends.counts import Counts
 from qcone.design import design_from_options
@@ -14,6 +16,11 @@ Row = dict[str, object]
 
 def rows() -> list[Row]:
     """Return one row for every algorithm of the catalogue; counts are of the emitted float64 update."""
+    return [dict(row) for row in _rows()]
+
+
+@cache
+def _rows() -> list[Row]:
     found: list[Row] = []
     for family in CATALOGUE:
         for values in family.examples:
@@ -33,7 +40,15 @@ def rows() -> list[Row]:
 
 
 def _operations(name: str, given: dict[str, int | str], algorithm: Algorithm) -> str:
-    options = {"algorithm": name, **given, "number": "float64", "max_rate_dps": "573", "update_hz": "100"}
+    taken = "rate" if algorithm.takes == "omega" else "increment"
+    options = {
+        "algorithm": name,
+        **given,
+        "input": taken,
+        "number": "float64",
+        "max_rate_dps": "573",
+        "update_hz": "100",
+    }
     facts = build(design_from_options("listed", options, entries())).facts
     counts: Counts = (facts.counts.get("steady") or facts.counts["update"])["emitted"]
     return f"{counts.multiply} multiply, {counts.add + counts.subtract} add and subtract"

@@ -59,6 +59,9 @@ def replay(
     notes = [*updates.notes]
     if contracted:
         notes.append("this build fuses products and sums: its bits are not the model's")
+    if held := bundle.facts.algorithm.held:
+        missing = "" if len(updates.values) > held else ", more than the recording makes: it has no attitude of its own"
+        notes.append(f"the starter holds the attitude for the first {held} updates{missing}")
     largest = float(np.sqrt((recording.values**2).sum(axis=1).max()))
     declared = float(bundle.facts.known.rate if recording.kind == "rate" else bundle.facts.known.increment)
     if largest > declared * (1 + 1e-9):

@@ -52,14 +52,23 @@ def one_design(text: str, say: Say | None = None) -> Design:
     return designs_of((file,), (name,), say)[0]
 
 
-def from_options(name: str, algorithm: str, options: Mapping[str, str | None], defaults: Mapping[str, str]) -> Design:
-    """Return the design of command-line options; `defaults` stand where an option is not given."""
+def from_options(
+    name: str,
+    algorithm: str,
+    options: Mapping[str, str | None],
+    defaults: Mapping[str, str],
+    say: Say | None = None,
+) -> Design:
+    """Return the design of command-line options; `defaults` stand where an option is not given.
+
+    What evaluates rates takes rates, unless an option says otherwise. Warnings as for `designs_of`.
+    """
     given = {word.replace("_", "-"): value for word, value in options.items() if value is not None}
     words = {"algorithm": algorithm, **defaults, **given}
     design = design_from_options(name, words, entries())
     if "input" not in given and algorithm_of(design).takes == "omega":
         design = design_from_options(name, {**words, "input": "rate"}, entries())
-    return design
+    return caution(design, say)
 
 
 def refuse_options(options: Mapping[str, str | None], why: str) -> None:

@@ -22,7 +22,7 @@ TRUE_COST = "the convention leaves the additions inside 23 of 24 dense products 
 
 def table_1(settings: Settings) -> Iterator[Claim]:
     """R3, R4 and D8: table 1 whole, by its convention and in full."""
-    rows = {(row["algorithm"], row["level"]): row for row in paper_table(PAPER, ("as-written",))}
+    rows = {(row["algorithm"], row["level"]): row for row in paper_table(PAPER)}
     for name in ("rotation-vector", "quaternion-taylor", "dcm-taylor"):
         ours, theirs = (_numbers(rows[name, level], name) for level in ("paper-convention", "paper"))
         words = "multiply/divide/add/subtract/square root/trigonometric"

@@ -98,9 +98,9 @@ def large_angles(settings: Settings) -> Figure:
         gaps: tuple[Gap, ...] = ()
         note = "xu2019: alike"
         if not pulses:
-            high, low = float(curves[0].y[-1]), float(curves[1].y[-1])
-            at = float(curves[0].x[-1])
-            gaps, note = (Gap(at, low, high),), f"xu2019: about 2 orders; here {high / low:.3g}x at the end"
+            high, low = float(curves[0].y.max()), float(curves[1].y.max())
+            at = float(curves[0].x[curves[0].y.argmax()])
+            gaps, note = (Gap(at, low, high),), f"xu2019: about 2 orders; here {high / low:.3g}x, the largest errors"
         y_range = PULSES_RANGE if pulses else None
         panel = Panel(name, "time, s", "attitude error, rad", tuple(curves), False, True, gaps=gaps, note=note)
         panels.append(replace(panel, y_range=y_range))
