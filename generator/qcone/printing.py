@@ -42,7 +42,7 @@ def emit(facts: Facts, written: Program, lowered: Lowered) -> Bundle:
         significand=("FLT_MANT_DIG" if number.ctype == "float" else "DBL_MANT_DIG") if floating else "",
         digits=number.precision,
         interface=contract.INTERFACE,
-        small=() if floating else tuple(each.text for each in furniture(machine)),
+        small=() if isinstance(number, Floating) else tuple(each.text for each in furniture(machine, number)),
     )
     driver = _driver(machine, number)
     header, source = pages.header(page), pages.source(page)

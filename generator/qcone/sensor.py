@@ -70,6 +70,17 @@ def largest_count(design: Design) -> int:
     return min(-(-most.numerator // most.denominator), 2 ** (COUNT_BITS - 1))
 
 
+def counts_radius(design: Design) -> float:
+    """Return a length of count vectors whose rates are all within the declared range."""
+    quantum = design.imu.quantum_dps
+    assert quantum is not None
+    rows = design.imu.calibration or ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+    gain = float(sum(Fraction(each) ** 2 for row in rows for each in row)) ** 0.5
+    bias = float(sum(each * each for each in design.imu.bias_dps or ())) ** 0.5
+    gain = 1.0 if design.imu.calibration is None else gain
+    return max(1.0, min((float(design.imu.max_rate_dps) / gain - bias) / float(quantum), 32767.0))
+
+
 def _inverse_norm(rows: Sequence[Sequence[Fraction]]) -> Fraction:
     """Return a bound of |M^-1 w| / |w|: the Frobenius norm of the inverse, by cofactors. ZeroDivisionError if singular."""
     (a, b, c), (d, e, f), (g, h, i) = rows

@@ -12,9 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from qcone import sensor
 from qcone.assembly import in_fixed_point
 from qcone.backends.bittrue import dtype_of
 from qcone.bundle import Bundle
+from qcone.formats.fixed import Fixed
 from qcone.formats.floating import Floating
 from qcone.ir.statement import Block, Role
 from qcone.passes.magnitudes import Samples
@@ -52,7 +54,8 @@ def draw(bundle: Bundle, rows: int, seed: int = 1) -> Vectors:
     generator = np.random.default_rng(seed)
     block = bundle.machine.routine("update").having(Role.INPUT)[0]
     setting = bundle.machine.routine(bundle.driver.setter).having(Role.INPUT)[0]
-    radius = float(block.norm or 1)
+    counted = bundle.facts.design.input == "counts"
+    radius = sensor.counts_radius(bundle.facts.design) if counted else float(block.norm or 1)
     kind = dtype_of(bundle.facts.number) if block.format is None else np.float64
     samples = known_samples(bundle)
     if samples is None or samples.first is None:
@@ -66,8 +69,21 @@ def draw(bundle: Bundle, rows: int, seed: int = 1) -> Vectors:
         _restarts(generator, lanes, steps),
         to_words(bundle, setting.name, attitudes),
         _inside(to_words(bundle, block.name, before), block),
-        _inside(to_words(bundle, block.name, inputs, bundle.driver.input_ctype), block),
+        _beyond(bundle, _inside(to_words(bundle, block.name, inputs, bundle.driver.input_ctype), block), generator),
     )
+
+
+def _beyond(bundle: Bundle, words: NDArray[Any], generator: np.random.Generator) -> NDArray[Any]:
+    """Replace some rows by any words there are, for designs that say what happens beyond the declared range."""
+    number = bundle.facts.design.number
+    if not isinstance(bundle.facts.number, Fixed) or (number.overflow == "prove" and not number.clamp_inputs):
+        return words
+    info = np.iinfo(words.dtype)
+    wild = generator.integers(info.min, info.max, words.shape, dtype=np.int64, endpoint=True).astype(words.dtype)
+    ends = generator.random(words.shape) < 0.2
+    wild[ends] = generator.choice([info.min, info.max, 0], words.shape)[ends]
+    chosen = (generator.random(words.shape[:2]) < 0.5) & (np.arange(len(words)) % 4 == 0)[:, None]
+    return np.where(chosen[..., None], wild, words)
 
 
 def known_samples(bundle: Bundle) -> Samples | None:

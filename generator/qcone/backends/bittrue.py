@@ -7,6 +7,7 @@ correctly rounded operations of IEEE 754, so this is the routine, bit for bit, a
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -67,6 +68,15 @@ def new_state(program: Program, number: Floating | Fixed, lanes: int) -> State:
     }
 
 
+@dataclass(frozen=True)
+class Kind:
+    """How a routine's numbers are held: their NumPy type, whether they are raw words, and whether those wrap around."""
+
+    dtype: Any
+    fixed: bool
+    wraps: bool
+
+
 class Model:
     """The routines of one program, to be run on arrays.
 
@@ -77,8 +87,7 @@ class Model:
     def __init__(self, program: Program, number: Floating | Fixed) -> None:
         """Prepare the program's routines."""
         self.program, self.number = program, number
-        self._dtype = dtype_of(number)
-        self._flat: dict[str, list[Any]] = {}
+        self._kind = Kind(dtype_of(number), isinstance(number, Fixed), isinstance(number, Fixed) and number.wraps)
 
     def run(
         self,
@@ -94,7 +103,7 @@ class Model:
         if isinstance(first, Choose):
             self._choose(first, state, inputs or {}, watch)
             return {}
-        return _run(routine, state, inputs or {}, lanes, self._dtype, watch)
+        return _run(routine, state, inputs or {}, lanes, self._kind, watch)
 
     def _choose(
         self, choice: Choose, state: State, inputs: Mapping[str, Array], watch: dict[str, Array] | None
@@ -120,7 +129,7 @@ def _run(
     state: State,
     inputs: Mapping[str, Array],
     lanes: int,
-    dtype: Any,
+    kind: Kind,
     watch: dict[str, Array] | None,
 ) -> dict[str, Array]:
     memory: dict[str, Array] = {}
@@ -129,13 +138,13 @@ def _run(
             memory[block.name] = state[block.name]
         elif block.role is Role.INPUT:
             given = inputs[block.name]
-            memory[block.name] = given.astype(np.int64) if dtype is np.int64 else given
+            memory[block.name] = given.astype(np.int64) if kind.fixed else given
         elif block.role is Role.TABLE:
-            memory[block.name] = np.array([[dtype(entry)] for entry in map(float, block.entries)], dtype)
+            memory[block.name] = np.array([[kind.dtype(entry)] for entry in map(float, block.entries)], kind.dtype)
         else:
-            memory[block.name] = np.zeros((block.size, lanes), dtype)
+            memory[block.name] = np.zeros((block.size, lanes), kind.dtype)
     values: dict[int, Any] = {}
-    _body(routine.body, routine, memory, values, {}, dtype, lanes)
+    _body(routine.body, routine, memory, values, {}, kind, lanes)
     if watch is not None:
         watch.update({routine.names[key]: value for key, value in values.items() if key in routine.names})
     return {block.name: memory[block.name] for block in routine.having(Role.OUTPUT)}
@@ -147,19 +156,19 @@ def _body(
     memory: dict[str, Array],
     values: dict[int, Any],
     counters: dict[str, int],
-    dtype: Any,
+    kind: Kind,
     lanes: int,
 ) -> None:
     kept: list[tuple[str, int, Array]] = []
     for statement in body:
         match statement:
             case Operation(result, op, args, constant, place):
-                if op in bittrue_fixed.OPERATIONS and (op is not MachineOp.DIVIDE or dtype is np.int64):
-                    values[result] = bittrue_fixed.run(statement, values, memory, kept)
+                if kind.fixed and op in bittrue_fixed.OPERATIONS:
+                    values[result] = bittrue_fixed.run(statement, values, memory, kept, kind.wraps)
                 elif op in ARITHMETIC:
                     values[result] = ARITHMETIC[op](*[values[arg] for arg in args])
                 elif constant is not None:
-                    values[result] = bittrue_fixed.raw(statement) if dtype is np.int64 else dtype(float(constant))
+                    values[result] = bittrue_fixed.raw(statement) if kind.fixed else kind.dtype(float(constant))
                 elif place is not None:
                     array = memory[place.block][place.index.at(counters)]
                     values[result] = array.copy() if routine.block(place.block).role is not Role.INPUT else array
@@ -167,9 +176,9 @@ def _body(
                 memory[place.block][place.index.at(counters)] = values[value]
             case Loop(counter, _, _, inner):
                 for turn in statement.turns(counters):
-                    _body(inner, routine, memory, values, counters | {counter: turn}, dtype, lanes)
+                    _body(inner, routine, memory, values, counters | {counter: turn}, kind, lanes)
             case Call():
-                _call(statement, routine, values, dtype, lanes)
+                _call(statement, routine, values, kind, lanes)
             case Advance(place):
                 memory[place.block][place.index.at(counters)] += COUNTER(1)
             case Choose() | Ready():
@@ -178,12 +187,12 @@ def _body(
         memory[name][component] = left
 
 
-def _call(call: Call, routine: Routine, values: dict[int, Any], dtype: Any, lanes: int) -> None:
+def _call(call: Call, routine: Routine, values: dict[int, Any], kind: Kind, lanes: int) -> None:
     callee = routine.callees[call.routine]
     given = [np.broadcast_to(values[arg], (lanes,)) for arg in call.args]
     inputs: dict[str, Array] = {}
     for block in callee.having(Role.INPUT):
         inputs[block.name], given = np.array(given[: block.size]), given[block.size :]
-    outputs = _run(callee, {}, inputs, lanes, dtype, None)
+    outputs = _run(callee, {}, inputs, lanes, kind, None)
     flat = [row for block in callee.having(Role.OUTPUT) for row in outputs[block.name]]
     values.update(zip(call.results, flat, strict=True))

@@ -11,10 +11,20 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from qcone.formats.fixed import Signal
+from qcone.formats.fixed import Fixed, Signal
+from qcone.formats.floating import Floating
 from qcone.ir.detail import Limits, Shift
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Operation, Program, Routine, Statement, walk
+
+
+WRAPPING = {
+    MachineOp.ADD: "add",
+    MachineOp.SUBTRACT: "subtract",
+    MachineOp.NEGATE: "negate",
+    MachineOp.SHIFT_LEFT: "shift_left",
+}
+"""Operations whose results may be beyond the word where a design lets them wrap around."""
 
 
 @dataclass(frozen=True)
@@ -50,9 +60,10 @@ def clamp_name(operation: Operation, width: int) -> str:
     return f"clamp_{width}" + (f"_to_{operation.format.width}" if operation.format.width != width else "")
 
 
-def furniture(program: Program) -> tuple[Furniture, ...]:
+def furniture(program: Program, number: Fixed) -> tuple[Furniture, ...]:
     """Return the small functions a program calls, each after those it calls itself."""
     made: dict[str, Furniture] = {}
+    wraps = number.overflow == "wrap"
     for routine in program.routines:
         widths: dict[int, int] = {}
         for statement in walk(routine.body):
@@ -60,24 +71,52 @@ def furniture(program: Program) -> tuple[Furniture, ...]:
                 continue
             if isinstance(statement.format, Signal):
                 widths[statement.result] = statement.format.width
-            for each in _needed(statement, widths):
+            for each in _needed(statement, widths, wraps):
                 made.setdefault(each.name, each)
-    return tuple(sorted(made.values(), key=lambda each: (not each.name.startswith("shift_right"), _order(each.name))))
+    first = ("wrapped", "shift_right")
+    return tuple(sorted(made.values(), key=lambda each: (not each.name.startswith(first), *_order(each.name))))
 
 
 def _order(name: str) -> tuple[str, int]:
     word, _, number = name.rpartition("_")
-    return word, int(number)
+    return {"wrapped": "", "shift_right": " "}.get(word, word), int(number)
 
 
-def _needed(operation: Operation, widths: dict[int, int]) -> Iterable[Furniture]:
+def _narrow_name(operation: Operation, width: int) -> str:
+    assert isinstance(operation.format, Signal)
+    return f"narrow_{width}_to_{operation.format.width}"
+
+
+def _narrowing(operation: Operation, width: int) -> Furniture:
+    assert isinstance(operation.format, Signal)
+    name, result = _narrow_name(operation, width), operation.format.width
+    return Furniture(
+        name,
+        f"/* x, modulo 2^{result}. */\n"
+        f"static inline int{result}_t {name}(int{width}_t x)\n"
+        "{\n"
+        f"    return wrapped_{result}((uint{result}_t)x);\n"
+        "}\n",
+    )
+
+
+def _needed(operation: Operation, widths: dict[int, int], wraps: bool) -> Iterable[Furniture]:
+    if wraps and operation.op in WRAPPING and isinstance(operation.format, Signal):
+        yield _wrapped(operation.format.width)
+        yield _wrapping(operation)
+    if wraps and operation.op is MachineOp.NARROW and isinstance(operation.format, Signal):
+        yield _wrapped(operation.format.width)
+        yield _narrowing(operation, widths[operation.args[0]])
     if operation.op is MachineOp.SHIFT_RIGHT:
         width = widths[operation.args[0]]
         assert isinstance(operation.format, Signal)
         assert isinstance(operation.detail, Shift)
         if not _by_image(operation, width):
             yield _shift_right(width)
-        yield Furniture(shift_name(operation, width), _rounding(operation, width))
+            if wraps:
+                yield _wrapped(width)
+                yield _wrapped(operation.format.width)
+        yield Furniture(shift_name(operation, width), _rounding(operation, width, wraps))
     elif operation.op is MachineOp.CLAMP:
         width = widths[operation.args[0]]
         yield Furniture(clamp_name(operation, width), _clamp(operation, width))
@@ -104,7 +143,43 @@ def _shift_right(width: int) -> Furniture:
     )
 
 
-def _rounding(operation: Operation, width: int) -> str:
+def _wrapped(width: int) -> Furniture:
+    ctype = f"int{width}_t"
+    most = "INT64_MAX" if width == 64 else str(2 ** (width - 1) - 1)
+    unsigned = f"uint{width}_t"
+    back = f"-({ctype})(~bits) - 1" if width > 16 else f"({ctype})(-({ctype})({unsigned})(~bits) - 1)"
+    return Furniture(
+        f"wrapped_{width}",
+        f"/* The word of {width} bits with these bits. */\n"
+        f"static inline {ctype} wrapped_{width}({unsigned} bits)\n"
+        "{\n"
+        f"    return (bits <= ({unsigned}){most}) ? ({ctype})bits : ({back});\n"
+        "}\n",
+    )
+
+
+def _wrapping(operation: Operation) -> Furniture:
+    """Return a sum, difference or shift in a word of the result's width, whatever does not fit dropped."""
+    assert isinstance(operation.format, Signal)
+    width, word = operation.format.width, WRAPPING[operation.op]
+    ctype, unsigned = operation.format.ctype, f"uint{width}_t"
+    told, given, made = {
+        "add": ("a + b", f"{ctype} a, {ctype} b", f"({unsigned})a + ({unsigned})b"),
+        "subtract": ("a - b", f"{ctype} a, {ctype} b", f"({unsigned})a - ({unsigned})b"),
+        "negate": ("-a", f"{ctype} a", f"0U - ({unsigned})a"),
+        "shift_left": ("a * 2^bits", f"{ctype} a, int bits", f"({unsigned})a << bits"),
+    }[word]
+    return Furniture(
+        f"{word}_{width}",
+        f"/* {told}, modulo 2^{width}. */\n"
+        f"static inline {ctype} {word}_{width}({given})\n"
+        "{\n"
+        f"    return wrapped_{width}({made});\n"
+        "}\n",
+    )
+
+
+def _rounding(operation: Operation, width: int, wraps: bool) -> str:
     assert isinstance(operation.format, Signal)
     assert isinstance(operation.detail, Shift)
     bits, rounding, result = operation.detail.bits, operation.detail.rounding, operation.format.width
@@ -114,6 +189,8 @@ def _rounding(operation: Operation, width: int) -> str:
     fits = f"; the result fits {result} bits" if result < width else ""
     head = f"/* x / 2^{bits}, rounded {told}{fits}. */\nstatic inline {out} {name}({into} x)\n{{\n"
     cast = f"({out})" if result < width else ""
+    if wraps and not _by_image(operation, width):
+        return head + _wrapping_rounding(operation, width) + "}\n"
     if _by_image(operation, width):
         body = (
             f"    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C({half})) >> {bits});\n"
@@ -134,6 +211,24 @@ def _rounding(operation: Operation, width: int) -> str:
     return head + body + "}\n"
 
 
+def _wrapping_rounding(operation: Operation, width: int) -> str:
+    """Return the body of a rounding whose sum may be any word."""
+    assert isinstance(operation.format, Signal)
+    assert isinstance(operation.detail, Shift)
+    bits, rounding, result = operation.detail.bits, operation.detail.rounding, operation.format.width
+    unsigned, half = f"uint{width}_t", 1 << (bits - 1)
+    constant = f"UINT64_C({half})" if width > 32 else f"{half}U"
+    mask = f"UINT64_C({2 * half - 1})" if width > 32 else f"{2 * half - 1}U"
+    whole = "x" if rounding == "floor" else f"wrapped_{width}(({unsigned})x + {constant})"
+    lines = [f"    const int{width}_t up = shift_right_{width}({whole}, {bits});\n"]
+    value = "up"
+    if rounding == "even":
+        lines.append(f"    const int tie = ((({unsigned})x + {constant}) & {mask}) == 0;\n")
+        value = "((tie != 0) ? (up - (up & 1)) : up)"
+    narrowed = f"wrapped_{result}((uint{result}_t){value})" if result < width else value
+    return "".join([*lines, f"    return {narrowed};\n"])
+
+
 def _clamp(operation: Operation, width: int) -> str:
     assert isinstance(operation.format, Signal)
     into, out = f"int{width}_t", operation.format.ctype
@@ -150,8 +245,9 @@ def _clamp(operation: Operation, width: int) -> str:
 class IntegerText:
     """Says how the integer operations of one routine are written: as C, and as the parts C is read back in."""
 
-    def __init__(self, routine: Routine) -> None:
+    def __init__(self, routine: Routine, number: Fixed | Floating) -> None:
         """Note the word of every value."""
+        self.wraps = isinstance(number, Fixed) and number.overflow == "wrap"
         self.widths: dict[int, int] = {}
         for statement in walk(routine.body):
             if isinstance(statement, Operation) and isinstance(statement.format, Signal):
@@ -169,6 +265,11 @@ class IntegerText:
         """Return the function an operation calls, and its constant arguments; None where it calls none."""
         if operation.op is MachineOp.SHIFT_RIGHT:
             return shift_name(operation, self.widths[operation.args[0]]), ()
+        if self.wraps and operation.op is MachineOp.NARROW:
+            return _narrow_name(operation, self.widths[operation.args[0]]), ()
+        if self.wraps and operation.op in WRAPPING and isinstance(operation.format, Signal):
+            shift = (str(operation.detail.bits),) if isinstance(operation.detail, Shift) else ()
+            return f"{WRAPPING[operation.op]}_{operation.format.width}", shift
         if operation.op is MachineOp.CLAMP and isinstance(operation.detail, Limits):
             width = self.widths[operation.args[0]]
             low, high = int(operation.detail.low), int(operation.detail.high)

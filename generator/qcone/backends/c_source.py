@@ -185,7 +185,7 @@ class _Printer:
             each.result: literal(constant, each.exact, number, each.format if isinstance(each.format, Signal) else None)
             for each, constant in literals
         }
-        self.integers = c_fixed.IntegerText(routine)
+        self.integers = c_fixed.IntegerText(routine, number)
         self.shown: int | None = None
 
     def lines(self) -> Iterator[str]:
@@ -277,7 +277,7 @@ class _Printer:
         called = self.integers.call(operation)
         if called is not None:
             name, constants = called
-            return f"{name}({', '.join([self._use(args[0]), *constants])})"
+            return f"{name}({', '.join([*map(self._use, args), *constants])})"
         if op is MachineOp.READ and place is not None:
             return self._place(place)
         if op is MachineOp.SELECT:

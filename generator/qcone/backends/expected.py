@@ -47,7 +47,7 @@ from qcone.ir.statement import (
 def differences(program: Program, number: Floating | Fixed, header: str, source: str) -> list[str]:
     """Return how the text differs from the program: empty when every statement of every function agrees."""
     small, source = inline_functions(source)
-    wanted = tuple(each.text for each in furniture(program)) if isinstance(number, Fixed) else ()
+    wanted = tuple(each.text for each in furniture(program, number)) if isinstance(number, Fixed) else ()
     if small != wanted:
         odd = next((text for text in (*small, *wanted) if text not in wanted or text not in small), "their order")
         return [f"a small function is not as it is emitted: {' '.join(odd.split())}"]
@@ -125,7 +125,7 @@ class _Reader:
         self.literals = {
             each.result: self._literal(each.constant, each.format) for each in literals if each.constant is not None
         }
-        self.integers = IntegerText(routine)
+        self.integers = IntegerText(routine, number)
 
     def lines(self) -> Iterator[Line]:
         """Yield the expected statements."""

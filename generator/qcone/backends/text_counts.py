@@ -20,6 +20,8 @@ COUNTED = {
     "select": "select",
 }
 """What a kind of statement is counted as."""
+WRAPPING = {"add": "add", "subtract": "subtract", "negate": "negate", "shift_left": "shift"}
+"""What a call of a small function that wraps around is counted as."""
 
 
 def count_text(header: str, source: str) -> dict[str, Counts]:
@@ -53,6 +55,8 @@ def _lines(lines: Sequence[Line], bodies: Mapping[str, Sequence[Line]], counters
             found["shift"] += 1
         elif line.kind.startswith("clamp_"):
             found["select"] += 1
+        elif line.kind.rpartition("_")[0] in WRAPPING:
+            found[WRAPPING[line.kind.rpartition("_")[0]]] += 1
         elif line.kind in COUNTED:
             found[COUNTED[line.kind]] += 1
     return found

@@ -80,6 +80,11 @@ class Fixed:
         return f"int{self.width}_t"
 
     @property
+    def wraps(self) -> bool:
+        """Tell whether what is beyond a word wraps around."""
+        return self.overflow == "wrap"
+
+    @property
     def precision(self) -> int:
         """Return how many bits a value has beside its sign."""
         return self.width - 1

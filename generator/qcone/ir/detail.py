@@ -61,10 +61,11 @@ class Mac:
 
 @dataclass(frozen=True)
 class Shift:
-    """Move by `bits`: to the left exactly, or to the right with a rounding."""
+    """Move by `bits`: to the left exactly, or to the right, a word of `width` bits, with a rounding."""
 
     bits: int
     rounding: str = ""
+    width: int = 64
 
 
 @dataclass(frozen=True)

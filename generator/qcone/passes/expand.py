@@ -98,7 +98,7 @@ class _Expansion:
         whole = total
         if mac.discard:
             signal = Signal(wide.width, operation.format.fraction)
-            whole = self._emit(MachineOp.SHIFT_RIGHT, (total,), signal, operation, Shift(mac.discard, mac.rounding))
+            whole = self._emit(MachineOp.SHIFT_RIGHT, (total,), signal, operation, Shift(mac.discard, mac.rounding, wide.width))
         low, high = mac.limits
         limits = Limits(Fraction(low), Fraction(high))
         self.body.append(replace(operation, op=MachineOp.CLAMP, args=(whole,), detail=limits))
@@ -109,7 +109,7 @@ class _Expansion:
         assert isinstance(operation.format, Signal)
         common = replace(operation, args=(total,), detail=None)
         if mac.discard:
-            shift = Shift(mac.discard, mac.rounding)
+            shift = Shift(mac.discard, mac.rounding, self.formats[total].width)
             self.body.append(replace(common, op=MachineOp.SHIFT_RIGHT, detail=shift))
             return
         last = self.body[-1] if self.body else None

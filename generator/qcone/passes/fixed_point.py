@@ -6,14 +6,16 @@ maps into itself, roundings included. What else the state keeps is bounded by wh
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from qcone.errors import UsageError
 from qcone.formats.fixed import Fixed, Signal
 from qcone.ir.index import Index
+from qcone.ir.detail import Sum, Term
 from qcone.ir.machine import MachineOp
+from qcone.ir.operations import RealOp
 from qcone.ir.statement import Block, Choose, Operation, Place, Program, Role, Routine, Statement, Write, unused
 from qcone.passes.errors import errors
 from qcone.passes.expand import expand
@@ -21,6 +23,7 @@ from qcone.passes.fuse import fuse
 from qcone.passes.lower_fixed import Residual, lower_fixed, residual_block
 from qcone.passes.magnitudes import Declared, Magnitudes, Samples, root_above
 from qcone.passes.qassign import Assigner, Formats
+from qcone.passes.rebuild import rebuild
 from qcone.passes.sweep import sweep
 from qcone.passes.widen import widen
 
@@ -112,6 +115,33 @@ def _with_last_bits(declaration: Declaration, number: Fixed) -> Declaration:
         return declaration
     lsb = 2 * number.ulp(declaration.samples.largest)
     return replace(declaration, samples=replace(declaration.samples, lsb=lsb))
+
+
+def _guarded(routine: Routine, given: set[str], limits: dict[int, Fraction]) -> Routine:
+    """Return the routine with every word that is handed in clamped; what to is added to `limits`."""
+    renamed: dict[int, int] = {}
+    fresh = unused(routine)
+
+    def visit(operation: Operation) -> Iterable[Statement]:
+        nonlocal fresh
+        if isinstance(operation.detail, Sum):
+            terms = tuple(
+                replace(term, args=tuple(renamed.get(arg, arg) for arg in term.args)) for term in operation.detail.terms
+            )
+            operation = replace(operation, detail=replace(operation.detail, terms=terms))
+        if operation.place is None or operation.place.block not in given:
+            return (operation,)
+        detail = Sum((Term(Fraction(1), (operation.result,)),))
+        guard = Operation(fresh, RealOp.SUM, (operation.result,), step=operation.step, detail=detail)
+        limits[fresh] = limits[operation.result]
+        names[fresh] = f"{names.get(operation.result, 'given')}_clamped"
+        renamed[operation.result] = fresh
+        fresh += 1
+        return (operation, guard)
+
+    names = dict(routine.names)
+    body = rebuild(routine.body, visit, renamed)
+    return replace(routine, body=body, names=names)
 
 
 def _scaled(declaration: Declaration, part: Fraction) -> Declaration:
@@ -332,7 +362,8 @@ class _FixedPoint:
         for name in given:
             most = (signals[name].most + 1) * signals[name].lsb
             bare[name] = Declared((-most, most))
-        again = Assigner(replace(routine, groups=()), self.number, signals, bare, None, None, limits)
+        guarded = _guarded(replace(routine, groups=()), given, limits)
+        again = Assigner(guarded, self.number, signals, bare, None, None, limits)
         return again, again.run()
 
     def _stays(self, assigner: Assigner, found: Formats, spread: Fraction) -> bool:

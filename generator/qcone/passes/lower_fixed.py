@@ -219,7 +219,9 @@ class _Lowering:
                 args = (literal.result, *args)
             aligned.append(Aligned(args, negative, finest - have))
         discard = finest - signal.fraction
-        plain = len(aligned) == 1 and len(aligned[0].args) == 1 and not aligned[0].negative
+        assert self.found.magnitudes is not None
+        free = result not in self.found.magnitudes.clamped
+        plain = free and len(aligned) == 1 and len(aligned[0].args) == 1 and not aligned[0].negative
         if plain and not aligned[0].shift and not discard and not literals:
             word = aligned[0].args[0]
             if self.signals[word] == signal:
