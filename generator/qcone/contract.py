@@ -294,12 +294,10 @@ def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
     if routine.name != "update":
         lines = text[routine.name]
     else:
-        given = "omega" if rates else "dtheta"
-        unit = "rad/s, the newest rate last" if rates else "rad, the integral of the body rate over each sub-sample"
-        bound = facts.known.rate if rates else facts.known.increment
+        given, unit, bound = _given(facts)
         lines = [
             f"{given}: {n} x 3 values, {given}[3*k + axis], sub-sample k = 0 first; {unit}; sensor axes.",
-            f"Range: norm of each at most {_digits(bound)}; {_beyond(facts)}.",
+            f"Range: {bound}; {_beyond(facts)}.",
             f"Truncation: {truncation(facts)}.",
             f"Rounding: {rounding(facts)}.",
         ]
@@ -324,6 +322,20 @@ def _how_often(facts: Facts) -> str:
 
 def _wrap(text: str) -> list[str]:
     return textwrap.wrap(text, WIDTH, subsequent_indent="  ")
+
+
+def _given(facts: Facts) -> tuple[str, str, str]:
+    """Return what an update is handed: its name, its unit, its range."""
+    design = facts.design
+    if design.input == "counts":
+        assert design.imu.quantum_dps is not None
+        unit = f"whole counts of {design.imu.quantum_dps} deg/s, the mean rate of each sub-sample"
+        less = " less the bias, by the calibration" * bool(design.imu.bias_dps or design.imu.calibration)
+        return "counts", unit, f"rate{less} at most {_decimal(design.imu.max_rate_dps)} deg/s in norm"
+    if design.input == "rate":
+        return "omega", "rad/s, the newest rate last", f"norm of each at most {_digits(facts.known.rate)}"
+    unit = "rad, the integral of the body rate over each sub-sample"
+    return "dtheta", unit, f"norm of each at most {_digits(facts.known.increment)}"
 
 
 def _norm(facts: Facts) -> str:

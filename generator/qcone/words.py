@@ -44,6 +44,8 @@ def to_increments(bundle: Bundle, values: Array, axis: int) -> Array:
     bits = bundle.driver.bits(block)
     if bits is None:
         return values.astype(TYPES[ctype])
+    if block == "counts":
+        return values.astype(TYPES[ctype])
     angle = np.cumsum(np.ldexp(np.asarray(values, np.longdouble), bits), axis=axis)
     whole = np.rint(angle)
     steps: Array = np.diff(whole, axis=axis, prepend=0).astype(TYPES[ctype])

@@ -21,11 +21,14 @@ from qcone.errors import UsageError
 COLUMNS = {
     "increment": {"t": "t_s", "x": "dtheta_x_rad", "y": "dtheta_y_rad", "z": "dtheta_z_rad"},
     "rate": {"t": "t_s", "x": "gyr_x_rad_s", "y": "gyr_y_rad_s", "z": "gyr_z_rad_s"},
+    "counts": {"t": "t_s", "x": "count_x", "y": "count_y", "z": "count_z"},
 }
 UNITS = {
     "increment": {"rad": 1.0, "deg": math.pi / 180, "arcsec": math.pi / 648_000},
     "rate": {"rad/s": 1.0, "deg/s": math.pi / 180},
+    "counts": {"count": 1.0, "deg/s": 0.0},
 }
+"""Factors to radians and rad/s; whole counts are taken as they are, and 0 means that the quantum decides."""
 LARGEST = 1e100  # in size; squares and sums of anything smaller stay finite
 
 

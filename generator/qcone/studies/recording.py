@@ -6,7 +6,7 @@ Messages name the file, its line and the data row (the first row after the heade
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
@@ -26,13 +26,17 @@ from qcone.studies.columns import (
 )
 from qcone.studies.resample import RATE_RANGE_HZ, even_rate, first_irregular, resample
 
+COUNT_TOLERANCE = 1e-6
+LARGEST_COUNT = 32767
+
 
 @dataclass(frozen=True)
 class Recording:
-    """Samples of the body's rotation at even times, in radians and seconds.
+    """Samples of the body's rotation at even times, in radians and seconds, or in whole counts.
 
-    `kind` is "increment" (`values` (n, 3) in rad, `time_s` (n,) the END of each sub-sample) or "rate" (rad/s
-    at the instants `time_s`). `sample_hz` is the sub-sample rate; `notes` are remarks for the user; `source`
+    `kind` is "increment" (`values` (n, 3) in rad, `time_s` (n,) the END of each sub-sample), "rate" (rad/s
+    at the instants `time_s`) or "counts" (whole counts of `quantum_dps` deg/s, the mean rate of the sub-sample that
+    ends at `time_s`). `sample_hz` is the sub-sample rate; `notes` are remarks for the user; `source`
     is the file's name for messages.
     """
 
@@ -43,6 +47,14 @@ class Recording:
     notes: tuple[str, ...] = ()
     source: str = "recording"
     path: Path | None = None
+    quantum_dps: Fraction | None = None
+
+    def as_increments(self) -> Recording:
+        """Return counts as the increments they stand for; any other recording as it is."""
+        if self.quantum_dps is None:
+            return self
+        unit = math.pi / 180 * float(self.quantum_dps / self.sample_hz)
+        return replace(self, kind="increment", values=self.values * unit, quantum_dps=None)
 
 
 @dataclass(frozen=True)
@@ -67,18 +79,25 @@ def read_recording(
     columns: str | None = None,
     sample_hz: float | Fraction | None = None,
     resample_hz: float | Fraction | None = None,
+    quantum_dps: Fraction | None = None,
 ) -> Recording:
-    """Read a CSV file of `kind` "increment" or "rate": a header line, then rows at even times.
+    """Read a CSV file of `kind` "increment", "rate" or "counts": a header line, then rows at even times.
 
     `columns` maps names and unit (`t=Time (s);x=...;y=...;z=...;unit=deg/s`); other columns are ignored.
     `sample_hz` gives or overrules the time column, of which only the first row is then read, as the origin
     (without one, the first sub-sample starts, or the first rate is taken, at 0 s). Otherwise a step more than
     1 % off the median is refused unless `resample_hz` puts the samples onto an even grid.
 
+    `quantum_dps` belongs to counts: deg/s of one; rates in deg/s are counts too where they are whole multiples of it.
+
     Raises UsageError for anything in the file or the options that cannot be used, with its place and a hint.
     """
     if kind not in COLUMNS:
         raise UsageError(f"--input: '{kind}' is not known, give one of {', '.join(COLUMNS)}")
+    if kind == "counts" and quantum_dps is None:
+        raise UsageError("--input counts: a count has no unit, give --quantum-dps, as in --quantum-dps 2000/32768")
+    if kind == "counts" and resample_hz is not None:
+        raise UsageError("--resample: counts are whole numbers and cannot be interpolated, give --sample-hz HZ")
     given_hz = None if sample_hz is None else _rate("--sample-hz", sample_hz)
     wanted_hz = None if resample_hz is None else _rate("--resample", resample_hz)
     names, scale = (COLUMNS[kind], 1.0) if columns is None else parse_columns(columns, kind)
@@ -89,10 +108,11 @@ def read_recording(
 
     axes = [places["x"], places["y"], places["z"]]
     numbers = read_numbers(table, axes if given_hz else [places["t"], *axes])
-    values = np.ascontiguousarray(numbers[:, -3:]) * scale
+    values = np.ascontiguousarray(numbers[:, -3:])
+    values = values * scale if quantum_dps is None else _whole(table, values, None if scale else quantum_dps)
     notes: tuple[str, ...] = ()
     if given_hz is not None:
-        origin = float(1 / given_hz) if kind == "increment" else 0.0
+        origin = 0.0 if kind == "rate" else float(1 / given_hz)
         if "t" in places:
             origin = read_number(table, 0, places["t"])
             notes = (f"times follow --sample-hz {float(given_hz):g}, column '{names['t']}' gives only the first",)
@@ -104,7 +124,23 @@ def read_recording(
     if wanted_hz is not None:
         time_s, values, remarks = resample(str(path), kind, time_s, values, wanted_hz)
         hz, notes = wanted_hz, notes + remarks
-    return Recording(kind, time_s, values, hz, notes, str(path), path)
+    return Recording(kind, time_s, values, hz, notes, str(path), path, quantum_dps)
+
+
+def _whole(table: Table, values: NDArray[np.float64], quantum: Fraction | None) -> NDArray[np.float64]:
+    """Return values as whole counts of 16 bits, of `quantum` deg/s each where they are rates."""
+    counts = values if quantum is None else values / float(quantum)
+    whole = np.rint(counts)
+    odd = (np.abs(counts - whole) > COUNT_TOLERANCE).any(axis=1)
+    if odd.any():
+        row = int(np.argmax(odd))
+        unit = "counts" if quantum is None else f"multiples of {quantum} deg/s"
+        raise UsageError(f"{table.place(row)}: not whole {unit}, give the right --quantum-dps, or --input rate")
+    over = (np.abs(whole) > LARGEST_COUNT).any(axis=1)
+    if over.any():
+        row = int(np.argmax(over))
+        raise UsageError(f"{table.place(row)}: a count beyond 16 bits, give the right --quantum-dps, or --input rate")
+    return whole
 
 
 def split_updates(recording: Recording, subsamples: int) -> Updates:
@@ -141,10 +177,15 @@ def max_rate_dps(recording: Recording) -> Fraction:
     """
     x, y, z = recording.values.T
     norm = float(np.max(np.hypot(np.hypot(x, y), z)))
+    if recording.quantum_dps is not None and norm:
+        return _two_digits(Fraction(norm) * recording.quantum_dps * (1 - Fraction(1, 2**50)))
     if norm == 0.0:
         return Fraction(1)
     per_second = recording.sample_hz if recording.kind == "increment" else 1
-    dps = Fraction(norm) * per_second * Fraction(180 / math.pi) * (1 - Fraction(1, 2**50))
+    return _two_digits(Fraction(norm) * per_second * Fraction(180 / math.pi) * (1 - Fraction(1, 2**50)))
+
+
+def _two_digits(dps: Fraction) -> Fraction:
     exponent = Decimal(float(dps)).adjusted() - 1
     return math.ceil(dps / Fraction(10) ** exponent) * Fraction(10) ** exponent
 

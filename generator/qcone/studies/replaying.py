@@ -51,6 +51,8 @@ def replay(
     the recording does not suit the design, MissingToolError when there is no compiler.
     """
     design = bundle.facts.design
+    if design.input == "increment":
+        recording = recording.as_increments()
     _suits(bundle, recording)
     updates = split_updates(recording, bundle.facts.algorithm.subsamples)
     vectors = _vectors(bundle, updates, initial)
@@ -62,7 +64,7 @@ def replay(
     if held := bundle.facts.algorithm.held:
         missing = "" if len(updates.values) > held else ", more than the recording makes: it has no attitude of its own"
         notes.append(f"the starter holds the attitude for the first {held} updates{missing}")
-    largest = float(np.sqrt((recording.values**2).sum(axis=1).max()))
+    largest = float(np.sqrt((recording.as_increments().values ** 2).sum(axis=1).max()))
     declared = float(bundle.facts.known.rate if recording.kind == "rate" else bundle.facts.known.increment)
     if largest > declared * (1 + 1e-9):
         unit = "rad/s" if recording.kind == "rate" else "rad"
@@ -92,10 +94,15 @@ def outputs_of(bundle: Bundle, words: NDArray[Any]) -> dict[str, NDArray[np.floa
 
 def _suits(bundle: Bundle, recording: Recording) -> None:
     design = bundle.facts.design
-    wanted = "rate" if design.input == "rate" else "increment"
+    wanted = design.input
     if recording.kind != wanted:
         raise UsageError(
-            f"design '{design.name}' takes input = \"{design.input}\", the recording was read as {recording.kind}s"
+            f"design '{design.name}' takes input = \"{design.input}\", the recording was read as {recording.kind.removesuffix('s')}s"
+        )
+    if recording.quantum_dps is not None and recording.quantum_dps != design.imu.quantum_dps:
+        raise UsageError(
+            f"design '{design.name}' takes counts of {design.imu.quantum_dps} deg/s, the recording has counts of "
+            f"{recording.quantum_dps} deg/s"
         )
     expected = design.imu.update_hz * bundle.facts.algorithm.subsamples
     if abs(recording.sample_hz / expected - 1) > RATE_TOLERANCE:

@@ -35,6 +35,8 @@ def design_for(recording: Recording, algorithm: str, options: Mapping[str, str |
         given["max-rate-dps"] = _decimal(rate)
         say(f"declared rate taken from the data: --max-rate-dps {given['max-rate-dps']}")
     base = {"algorithm": algorithm, "input": recording.kind, **given}
+    if recording.quantum_dps is not None:
+        base["quantum-dps"] = str(recording.quantum_dps)
     hz = _decimal(recording.sample_hz)
     single = design_from_options("replayed", {**base, "update_hz": hz}, entries())
     update_hz = recording.sample_hz / algorithm_of(single).subsamples
