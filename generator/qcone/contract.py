@@ -93,6 +93,7 @@ def banner(facts: Facts) -> tuple[str, ...]:
         *_item("range", _range(facts)),
         *_item("truncation", truncation(facts)),
         *_item("rounding", rounding(facts)),
+        *_words(facts),
         *(_item("caution", caution) if caution else []),
         "",
         f"{'operations':<18}multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select"
@@ -193,6 +194,19 @@ def rounding(facts: Facts) -> str:
     if proved.growth is not None:
         text += f"; it adds at most {_digits(proved.growth, 2)} to the length"
     return f"{text}; proved"
+
+
+def _words(facts: Facts) -> list[str]:
+    """Return what the search for whole words did, where a format has it."""
+    words = facts.proved.words if facts.proved else None
+    if words is None:
+        return []
+    return _item(
+        "high words",
+        f"{words.after} of {words.sums} rounded sums of products drop a whole word, {words.before} before formats were "
+        f"searched for that; of one update's errors in the first order it made {_digits(words.error_after, 2)} of "
+        f"{_digits(words.error_before, 2)}",
+    )
 
 
 def _beyond(facts: Facts) -> str:

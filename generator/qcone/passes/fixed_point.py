@@ -20,6 +20,7 @@ from qcone.ir.statement import Block, Choose, Operation, Place, Program, Role, R
 from qcone.passes.errors import errors
 from qcone.passes.expand import expand
 from qcone.passes.fuse import fuse
+from qcone.passes.high_word import WORD, HighWord, high_word
 from qcone.passes.lower_fixed import Residual, lower_fixed, residual_block
 from qcone.passes.magnitudes import Declared, Magnitudes, Samples, root_above
 from qcone.passes.qassign import Assigner, Formats
@@ -86,13 +87,14 @@ class Proved:
 
     `spread` bounds | |q| - 1 |; `rounding` how far one update is from exact arithmetic, in the components' norm, None
     where it is not bounded. Where updates do not bring the length back, `growth` bounds what one of them adds to it,
-    and `updates` is how many keep it within `spread`.
+    and `updates` is how many keep it within `spread`. `words` is what the search for whole words did to an update.
     """
 
     spread: Fraction
     rounding: Fraction | None = None
     growth: Fraction | None = None
     updates: int | None = None
+    words: HighWord | None = None
 
 
 @dataclass(frozen=True)
@@ -164,6 +166,7 @@ class _FixedPoint:
         self.bounds: dict[str, Fraction] = {}
         self.norms: dict[str, Fraction] = {}
         self.nearest, self.spare = True, 0
+        self.cost: dict[str, HighWord] = {}
 
     def run(self) -> FixedProgram:
         failed: UsageError | None = None
@@ -179,6 +182,7 @@ class _FixedPoint:
                 failed = failed or error
                 continue
             if all(self._stays(assigner, found, spread) for assigner, found in done):
+                done = [self._in_whole_words(assigner, found, spread) for assigner, found in done]
                 proved = self._proved(done, spread)
                 if self.number.overflow == "saturate":
                     done = [self._saturated(assigner, found, signals, declared) for assigner, found in done]
@@ -346,6 +350,14 @@ class _FixedPoint:
         assigner = Assigner(routine, self.number, signals, declared, self.declaration.samples, self.declaration.turn)
         return assigner, assigner.run()
 
+    def _in_whole_words(self, assigner: Assigner, found: Formats, spread: Fraction) -> tuple[Assigner, Formats]:
+        """Return an update whose sums drop whole words where they may; any other routine as it is."""
+        if assigner.routine.name not in UPDATING or self.number.width != WORD:
+            return assigner, found
+        better, cost = high_word(assigner, found, self.compensated)
+        self.cost[assigner.routine.name] = cost
+        return assigner, better if self._stays(assigner, better, spread) else found
+
     def _saturated(
         self, assigner: Assigner, found: Formats, signals: Mapping[str, Signal], declared: Mapping[str, Declared]
     ) -> tuple[Assigner, Formats]:
@@ -429,6 +441,7 @@ class _FixedPoint:
 
     def _proved(self, done: list[tuple[Assigner, Formats]], spread: Fraction) -> Proved:
         """Return what is proved of the updates. Raises UsageError where the length is left to drift without a bound."""
+        words = self.cost.get("steady", self.cost.get("update"))
         rounding: Fraction | None = Fraction(0)
         for assigner, found in done:
             written = [value for place, value in assigner.written.items() if place.block == self.held.name]
@@ -440,14 +453,14 @@ class _FixedPoint:
                 continue
             rounding = max(rounding, root_above(sum((known[value] ** 2 for value in written), Fraction(0))))
         if self.declaration.renormalised or self.held.name == "rpy":
-            return Proved(spread, rounding)
+            return Proved(spread, rounding, words=words)
         if rounding is None or self.declaration.series is None:
             raise UsageError(
                 "what one update adds to the attitude's length is not bounded for this algorithm: set renormalise = "
                 '"every"'
             )
         growth = (1 + spread) * self.declaration.series + rounding
-        return Proved(spread, rounding, growth, int((spread - GIVEN) / growth))
+        return Proved(spread, rounding, growth, int((spread - GIVEN) / growth), words)
 
     # -- the machine program --------------------------------------------------------------------------
 

@@ -1,0 +1,391 @@
+/* Generated, do not edit. Made by: qcone generate rotation_vector.toml --design rotation_vector_2_coning_fixed32
+ *
+ * qcone 0.1.0, design rotation_vector_2_coning_fixed32, SHA-256 of the design
+ * 79703f1a32c69b4be969ca18275fa9cdec9bced624fe4b606b1b94fa8ad77314
+ *
+ * algorithm:   rotation-vector-2-coning, form factored, q' = q + q (x) (r - 1), renormalised on
+ *              every update
+ * source:      cao (12), cao (14)
+ * equation:    phi = theta_1 + theta_2 + 2/3 theta_1 x theta_2
+ * number:      fixed32: words of 32 bits, sums in 64; every sum of products rounded once, to
+ *              nearest, halves up; formats and bounds stand beside every line: F fraction bits,
+ *              value = raw * 2^-F
+ * flags:       -std=c99; no other flag matters
+ *
+ * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.050004 rad; |phi|
+ *              <= 0.1017 rad; | |q| - 1 | <= 0.00391 always, proved; within it no sum overflows,
+ *              as is proved; beyond it nothing is promised: clamp inputs that can be so large
+ * truncation:  minimax polynomials of degree 3 (cos) and 2 (sin) in |phi|^2; error of r at most
+ *              2.5e-15 (scalar), 7.5e-14 (vector), proved over the rationals
+ * rounding:    one update is within 1.2e-09 of exact arithmetic, in the norm of the components;
+ *              proved
+ * high words:  7 of 20 rounded sums of products drop a whole word, 1 before formats were searched
+ *              for that; of one update's errors in the first order it made 2.2e-09 of 2.2e-09
+ *
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
+ * update as-written       44       0   28        13       0       0     0     0     0       0      0
+ * update shared           40       4   28        13       0       0     0     0     0       0      0
+ * update emitted          40       0   22        19       0       0     0     0     0       0     39
+ *
+ * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
+ * the bits are the same on every conforming compiler and processor, whatever its flags.
+ *
+ * SPDX-License-Identifier: MIT-0
+ * The maker of the generator claims no rights in this file.
+ */
+#include "rotation_vector_2_coning_fixed32.h"
+
+#if ROTATION_VECTOR_2_CONING_FIXED32_VERSION != 1
+#error "rotation_vector_2_coning_fixed32.h is of another version than this file: generate both again"
+#endif
+
+
+/* x / 2^bits, rounded down, 0 <= bits < 64. */
+static inline int64_t shift_right_64(int64_t x, int bits)
+{
+    return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
+/* x / 2^8, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_8(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(128)) >> 8);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_10(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^21, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_21(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1048576)) >> 21);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^24, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_24(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(8388608)) >> 24);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^27, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_27(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(67108864)) >> 27);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^30, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_30(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(536870912)) >> 30);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^31, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_31(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1073741824)) >> 31);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^32, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_32(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(2147483648)) >> 32);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^35, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_35(int64_t x)
+{
+    return (int32_t)shift_right_64(x + INT64_C(17179869184), 35);
+}
+
+/* x / 2^37, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_37(int64_t x)
+{
+    return (int32_t)shift_right_64(x + INT64_C(68719476736), 37);
+}
+
+/* x / 2^42, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_42(int64_t x)
+{
+    return (int32_t)shift_right_64(x + INT64_C(2199023255552), 42);
+}
+
+void rotation_vector_2_coning_fixed32_init(rotation_vector_2_coning_fixed32_state *state)
+{
+    state->q[0] = 1073741824 /* 1 */;
+    state->q[1] = 0;
+    state->q[2] = 0;
+    state->q[3] = 0;
+}
+
+void rotation_vector_2_coning_fixed32_set_quaternion(
+    rotation_vector_2_coning_fixed32_state *state, const int32_t q_nb[4])
+{
+    /* q_nb, read once */
+    const int32_t q_nb_w = q_nb[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_nb_x = q_nb[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_nb_y = q_nb[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_nb_z = q_nb[3];  /* F30, |x| <= 1.01 */
+
+    /* e = (1 - |q|^2)/2 */
+    const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
+    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
+    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_4 = e_2 - e_3;  /* F61 */
+    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_6 = e_4 - e_5;  /* F61 */
+    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int32_t e = round_21(e_8);  /* F40, |x| <= 0.000978 */
+
+    /* q_next = q + e q */
+    const int64_t q_next_w_part_1 = (int64_t)e * q_nb_w;  /* F70 */
+    const int32_t q_next_w_part = round_30(q_next_w_part_1);  /* F40, |x| <= 0.000978 */
+    const int64_t q_next_w_1 = q_nb_w * INT64_C(1024);  /* F40 */
+    const int64_t q_next_w_2 = q_next_w_1 + q_next_w_part;  /* F40 */
+    const int32_t q_next_w = round_10(q_next_w_2);  /* F30, |x| <= 1.01 */
+    const int64_t q_next_x_part_1 = (int64_t)e * q_nb_x;  /* F70 */
+    const int32_t q_next_x_part = round_30(q_next_x_part_1);  /* F40, |x| <= 0.000978 */
+    const int64_t q_next_x_1 = q_nb_x * INT64_C(1024);  /* F40 */
+    const int64_t q_next_x_2 = q_next_x_1 + q_next_x_part;  /* F40 */
+    const int32_t q_next_x = round_10(q_next_x_2);  /* F30, |x| <= 1.01 */
+    const int64_t q_next_y_part_1 = (int64_t)e * q_nb_y;  /* F70 */
+    const int32_t q_next_y_part = round_30(q_next_y_part_1);  /* F40, |x| <= 0.000978 */
+    const int64_t q_next_y_1 = q_nb_y * INT64_C(1024);  /* F40 */
+    const int64_t q_next_y_2 = q_next_y_1 + q_next_y_part;  /* F40 */
+    const int32_t q_next_y = round_10(q_next_y_2);  /* F30, |x| <= 1.01 */
+    const int64_t q_next_z_part_1 = (int64_t)e * q_nb_z;  /* F70 */
+    const int32_t q_next_z_part = round_30(q_next_z_part_1);  /* F40, |x| <= 0.000978 */
+    const int64_t q_next_z_1 = q_nb_z * INT64_C(1024);  /* F40 */
+    const int64_t q_next_z_2 = q_next_z_1 + q_next_z_part;  /* F40 */
+    const int32_t q_next_z = round_10(q_next_z_2);  /* F30, |x| <= 1.01 */
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+}
+
+void rotation_vector_2_coning_fixed32_update(
+    rotation_vector_2_coning_fixed32_state *state, const int32_t dtheta[6])
+{
+    /* attitude and input */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+    const int32_t dtheta1_x = dtheta[0];  /* F34, |x| <= 0.0501 */
+    const int32_t dtheta1_y = dtheta[1];  /* F34, |x| <= 0.0501 */
+    const int32_t dtheta1_z = dtheta[2];  /* F34, |x| <= 0.0501 */
+    const int32_t dtheta2_x = dtheta[3];  /* F34, |x| <= 0.0501 */
+    const int32_t dtheta2_y = dtheta[4];  /* F34, |x| <= 0.0501 */
+    const int32_t dtheta2_z = dtheta[5];  /* F34, |x| <= 0.0501 */
+
+    /* p = theta_1 + theta_2 */
+    const int32_t p_x = dtheta1_x + dtheta2_x;  /* F34, |x| <= 0.101 */
+    const int32_t p_y = dtheta1_y + dtheta2_y;  /* F34, |x| <= 0.101 */
+    const int32_t p_z = dtheta1_z + dtheta2_z;  /* F34, |x| <= 0.101 */
+
+    /* d = theta_2 - theta_1 */
+    const int32_t d_x = dtheta2_x - dtheta1_x;  /* F34, |x| <= 0.101 */
+    const int32_t d_y = dtheta2_y - dtheta1_y;  /* F34, |x| <= 0.101 */
+    const int32_t d_z = dtheta2_z - dtheta1_z;  /* F34, |x| <= 0.101 */
+
+    /* k = 1/3 d   [cao (12)] */
+    const int64_t k_x_1 = (int64_t)1431655765 /* 1/3 */ * d_x;  /* F66 */
+    const int32_t k_x = round_31(k_x_1);  /* F35, |x| <= 0.0334 */
+    const int64_t k_y_1 = (int64_t)1431655765 /* 1/3 */ * d_y;  /* F66 */
+    const int32_t k_y = round_31(k_y_1);  /* F35, |x| <= 0.0334 */
+    const int64_t k_z_1 = (int64_t)1431655765 /* 1/3 */ * d_z;  /* F66 */
+    const int32_t k_z = round_31(k_z_1);  /* F35, |x| <= 0.0334 */
+
+    /* coning = S x k   [cao (12)] */
+    const int64_t coning_x_1 = (int64_t)p_y * k_z;  /* F69 */
+    const int64_t coning_x_2 = (int64_t)p_z * k_y;  /* F69 */
+    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F69 */
+    const int32_t coning_x = round_35(coning_x_3);  /* F34, |x| <= 0.00334 */
+
+    /* phi = S + coning   [cao (12)] */
+    const int32_t phi_x = p_x + coning_x;  /* F34, |x| <= 0.102 */
+
+    /* coning = S x k   [cao (12)] */
+    const int64_t coning_y_1 = (int64_t)p_z * k_x;  /* F69 */
+    const int64_t coning_y_2 = (int64_t)p_x * k_z;  /* F69 */
+    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F69 */
+    const int32_t coning_y = round_35(coning_y_3);  /* F34, |x| <= 0.00334 */
+
+    /* phi = S + coning   [cao (12)] */
+    const int32_t phi_y = p_y + coning_y;  /* F34, |x| <= 0.102 */
+
+    /* coning = S x k   [cao (12)] */
+    const int64_t coning_z_1 = (int64_t)p_x * k_y;  /* F69 */
+    const int64_t coning_z_2 = (int64_t)p_y * k_x;  /* F69 */
+    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F69 */
+    const int32_t coning_z = round_35(coning_z_3);  /* F34, |x| <= 0.00334 */
+
+    /* phi = S + coning   [cao (12)] */
+    const int32_t phi_z = p_z + coning_z;  /* F34, |x| <= 0.102 */
+
+    /* phi_square = |phi|^2 */
+    const int64_t phi_square_1 = (int64_t)phi_x * phi_x;  /* F68 */
+    const int64_t phi_square_2 = (int64_t)phi_y * phi_y;  /* F68 */
+    const int64_t phi_square_3 = phi_square_1 + phi_square_2;  /* F68 */
+    const int64_t phi_square_4 = (int64_t)phi_z * phi_z;  /* F68 */
+    const int64_t phi_square_5 = phi_square_3 + phi_square_4;  /* F68 */
+    const int32_t phi_square = round_32(phi_square_5);  /* F36, |x| <= 0.0104 */
+
+    /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
+    const int64_t u_1 = (int64_t)372811 /* 1/46082 */ * phi_square;  /* F70 */
+    const int64_t u_2 = INT64_C(3074457318926079268) /* 299953/115181953 */ - u_1;  /* F70 */
+    const int32_t u_3 = round_42(u_2);  /* F28, |x| <= 0.00261 */
+    const int64_t u_4 = (int64_t)phi_square * u_3;  /* F64 */
+    const int64_t u_5 = u_4 - INT64_C(2305843009213693952) /* 1/8 */;  /* F64 */
+    const int32_t u_6 = round_32(u_5);  /* F32, |x| <= 0.126 */
+
+    /* y = sin(|phi|/2)/|phi| - 1/2, polynomial in |phi|^2   [cao (9)] */
+    const int64_t y_1 = (int64_t)69899 /* 3/11521 */ * phi_square;  /* F64 */
+    const int64_t y_2 = y_1 - INT64_C(384307165630673106) /* 3113381/149442289 */;  /* F64 */
+    const int32_t y_3 = round_32(y_2);  /* F32, |x| <= 0.0209 */
+    const int64_t y_4 = (int64_t)phi_square * y_3;  /* F68 */
+    const int32_t y = round_27(y_4);  /* F41, |x| <= 0.000216 */
+
+    /* bent = y phi   [cao (14)] */
+    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F75 */
+    const int32_t bent_x = round_32(bent_x_1);  /* F43, |x| <= 2.2e-05 */
+
+    /* v = phi/2 + bent   [cao (14)] */
+    const int64_t v_x_1 = phi_x * INT64_C(256);  /* F43 */
+    const int64_t v_x_2 = v_x_1 + bent_x;  /* F43 */
+    const int32_t v_x = round_8(v_x_2);  /* F35, |x| <= 0.051 */
+
+    /* bent = y phi   [cao (14)] */
+    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F75 */
+    const int32_t bent_y = round_32(bent_y_1);  /* F43, |x| <= 2.2e-05 */
+
+    /* v = phi/2 + bent   [cao (14)] */
+    const int64_t v_y_1 = phi_y * INT64_C(256);  /* F43 */
+    const int64_t v_y_2 = v_y_1 + bent_y;  /* F43 */
+    const int32_t v_y = round_8(v_y_2);  /* F35, |x| <= 0.051 */
+
+    /* bent = y phi   [cao (14)] */
+    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F75 */
+    const int32_t bent_z = round_32(bent_z_1);  /* F43, |x| <= 2.2e-05 */
+
+    /* v = phi/2 + bent   [cao (14)] */
+    const int64_t v_z_1 = phi_z * INT64_C(256);  /* F43 */
+    const int64_t v_z_2 = v_z_1 + bent_z;  /* F43 */
+    const int32_t v_z = round_8(v_z_2);  /* F35, |x| <= 0.051 */
+
+    /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
+    const int64_t u_7 = (int64_t)phi_square * u_6;  /* F68 */
+    const int32_t u = round_32(u_7);  /* F36, |x| <= 0.0013 */
+
+    /* a = u + e */
+    const int64_t a_1 = u * INT64_C(33554432);  /* F61 */
+    const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+    const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
+    const int64_t a_4 = a_2 - a_3;  /* F61 */
+    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_6 = a_4 - a_5;  /* F61 */
+    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_8 = a_6 - a_7;  /* F61 */
+    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_10 = a_8 - a_9;  /* F61 */
+    const int32_t a = round_24(a_10);  /* F37, |x| <= 0.00521 */
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F67 */
+    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
+    const int64_t dq_w_3 = dq_w_2 * INT64_C(4);  /* F67 */
+    const int64_t dq_w_4 = dq_w_1 - dq_w_3;  /* F67 */
+    const int64_t dq_w_5 = (int64_t)q_y * v_y;  /* F65 */
+    const int64_t dq_w_6 = dq_w_5 * INT64_C(4);  /* F67 */
+    const int64_t dq_w_7 = dq_w_4 - dq_w_6;  /* F67 */
+    const int64_t dq_w_8 = (int64_t)q_z * v_z;  /* F65 */
+    const int64_t dq_w_9 = dq_w_8 * INT64_C(4);  /* F67 */
+    const int64_t dq_w_10 = dq_w_7 - dq_w_9;  /* F67 */
+    const int32_t dq_w = round_37(dq_w_10);  /* F30, |x| <= 0.0514 */
+
+    /* q_next = q + dq */
+    const int32_t q_next_w = q_w + dq_w;  /* F30, |x| <= 1.01 */
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F65 */
+    const int64_t dq_x_2 = dq_x_1 * INT64_C(4);  /* F67 */
+    const int64_t dq_x_3 = (int64_t)q_x * a;  /* F67 */
+    const int64_t dq_x_4 = dq_x_2 + dq_x_3;  /* F67 */
+    const int64_t dq_x_5 = (int64_t)q_y * v_z;  /* F65 */
+    const int64_t dq_x_6 = dq_x_5 * INT64_C(4);  /* F67 */
+    const int64_t dq_x_7 = dq_x_4 + dq_x_6;  /* F67 */
+    const int64_t dq_x_8 = (int64_t)q_z * v_y;  /* F65 */
+    const int64_t dq_x_9 = dq_x_8 * INT64_C(4);  /* F67 */
+    const int64_t dq_x_10 = dq_x_7 - dq_x_9;  /* F67 */
+    const int32_t dq_x = round_37(dq_x_10);  /* F30, |x| <= 0.0514 */
+
+    /* q_next = q + dq */
+    const int32_t q_next_x = q_x + dq_x;  /* F30, |x| <= 1.01 */
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F65 */
+    const int64_t dq_y_2 = dq_y_1 * INT64_C(4);  /* F67 */
+    const int64_t dq_y_3 = (int64_t)q_y * a;  /* F67 */
+    const int64_t dq_y_4 = dq_y_2 + dq_y_3;  /* F67 */
+    const int64_t dq_y_5 = (int64_t)q_z * v_x;  /* F65 */
+    const int64_t dq_y_6 = dq_y_5 * INT64_C(4);  /* F67 */
+    const int64_t dq_y_7 = dq_y_4 + dq_y_6;  /* F67 */
+    const int64_t dq_y_8 = (int64_t)q_x * v_z;  /* F65 */
+    const int64_t dq_y_9 = dq_y_8 * INT64_C(4);  /* F67 */
+    const int64_t dq_y_10 = dq_y_7 - dq_y_9;  /* F67 */
+    const int32_t dq_y = round_37(dq_y_10);  /* F30, |x| <= 0.0514 */
+
+    /* q_next = q + dq */
+    const int32_t q_next_y = q_y + dq_y;  /* F30, |x| <= 1.01 */
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F65 */
+    const int64_t dq_z_2 = dq_z_1 * INT64_C(4);  /* F67 */
+    const int64_t dq_z_3 = (int64_t)q_z * a;  /* F67 */
+    const int64_t dq_z_4 = dq_z_2 + dq_z_3;  /* F67 */
+    const int64_t dq_z_5 = (int64_t)q_x * v_y;  /* F65 */
+    const int64_t dq_z_6 = dq_z_5 * INT64_C(4);  /* F67 */
+    const int64_t dq_z_7 = dq_z_4 + dq_z_6;  /* F67 */
+    const int64_t dq_z_8 = (int64_t)q_y * v_x;  /* F65 */
+    const int64_t dq_z_9 = dq_z_8 * INT64_C(4);  /* F67 */
+    const int64_t dq_z_10 = dq_z_7 - dq_z_9;  /* F67 */
+    const int32_t dq_z = round_37(dq_z_10);  /* F30, |x| <= 0.0514 */
+
+    /* q_next = q + dq */
+    const int32_t q_next_z = q_z + dq_z;  /* F30, |x| <= 1.01 */
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+}
+
+void rotation_vector_2_coning_fixed32_quaternion(
+    const rotation_vector_2_coning_fixed32_state *state, int32_t q_nb[4])
+{
+    /* q, read once */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+
+    q_nb[0] = q_w;
+    q_nb[1] = q_x;
+    q_nb[2] = q_y;
+    q_nb[3] = q_z;
+}

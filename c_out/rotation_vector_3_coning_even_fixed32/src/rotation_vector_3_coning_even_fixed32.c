@@ -1,0 +1,423 @@
+/* Generated, do not edit. Made by: qcone generate rotation_vector.toml --design rotation_vector_3_coning_even_fixed32
+ *
+ * qcone 0.1.0, design rotation_vector_3_coning_even_fixed32, SHA-256 of the design
+ * 392af4d08e744066aa30606c4fb231c5b2236f744c59f23d5473df08f8f94ed9
+ *
+ * algorithm:   rotation-vector-3-coning, form factored, q' = q + q (x) (r - 1), renormalised on
+ *              every update
+ * source:      cao (12), cao (14)
+ * equation:    phi = theta_1 + theta_2 + theta_3 + 9/20 theta_1 x theta_3 + 27/40 theta_2 x
+ *              (theta_3 - theta_1)
+ * number:      fixed32: words of 32 bits, sums in 64; every sum of products rounded once, to
+ *              nearest, halves to even; formats and bounds stand beside every line: F fraction
+ *              bits, value = raw * 2^-F
+ * flags:       -std=c99; no other flag matters
+ *
+ * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.033336 rad; |phi|
+ *              <= 0.1021 rad; | |q| - 1 | <= 0.00391 always, proved; within it no sum overflows,
+ *              as is proved; beyond it nothing is promised: clamp inputs that can be so large
+ * truncation:  minimax polynomials of degree 3 (cos) and 2 (sin) in |phi|^2; error of r at most
+ *              2.5e-15 (scalar), 7.8e-14 (vector), proved over the rationals
+ * rounding:    one update is within 1.2e-09 of exact arithmetic, in the norm of the components;
+ *              proved
+ * high words:  7 of 20 rounded sums of products drop a whole word, 1 before formats were searched
+ *              for that; of one update's errors in the first order it made 2.2e-09 of 2.2e-09
+ *
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
+ * update as-written       44       0   37        13       0       0     0     0     0       0      0
+ * update shared           40       4   37        13       0       0     0     0     0       0      0
+ * update emitted          40       0   28        19       0       0     0     0     0       0     45
+ *
+ * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
+ * the bits are the same on every conforming compiler and processor, whatever its flags.
+ *
+ * SPDX-License-Identifier: MIT-0
+ * The maker of the generator claims no rights in this file.
+ */
+#include "rotation_vector_3_coning_even_fixed32.h"
+
+#if ROTATION_VECTOR_3_CONING_EVEN_FIXED32_VERSION != 1
+#error "rotation_vector_3_coning_even_fixed32.h is of another version than this file: generate both again"
+#endif
+
+
+/* x / 2^bits, rounded down, 0 <= bits < 64. */
+static inline int64_t shift_right_64(int64_t x, int bits)
+{
+    return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
+/* x / 2^1, rounded to nearest, halves to even; the result fits 32 bits. */
+static inline int32_t round_even_1(int64_t x)
+{
+    const int64_t up = shift_right_64(x + INT64_C(1), 1);
+    const int tie = (((uint64_t)x + UINT64_C(1)) & UINT64_C(1)) == 0;
+    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
+}
+
+/* x / 2^8, rounded to nearest, halves to even; the result fits 32 bits. */
+static inline int32_t round_even_8(int64_t x)
+{
+    const int64_t up = shift_right_64(x + INT64_C(128), 8);
+    const int tie = (((uint64_t)x + UINT64_C(128)) & UINT64_C(255)) == 0;
+    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
+}
+
+/* x / 2^10, rounded to nearest, halves to even; the result fits 32 bits. */
+static inline int32_t round_even_10(int64_t x)
+{
+    const int64_t up = shift_right_64(x + INT64_C(512), 10);
+    const int tie = (((uint64_t)x + UINT64_C(512)) & UINT64_C(1023)) == 0;
+    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
+}
+
+/* x / 2^21, rounded to nearest, halves to even; the result fits 32 bits. */
+static inline int32_t round_even_21(int64_t x)
+{
+    const int64_t up = shift_right_64(x + INT64_C(1048576), 21);
+    const int tie = (((uint64_t)x + UINT64_C(1048576)) & UINT64_C(2097151)) == 0;
+    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
+}
+
+/* x / 2^24, rounded to nearest, halves to even; the result fits 32 bits. */
+static inline int32_t round_even_24(int64_t x)
+{
+    const int64_t up = shift_right_64(x + INT64_C(8388608), 24);
+    const int tie = (((uint64_t)x + UINT64_C(8388608)) & UINT64_C(16777215)) == 0;
+    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
+}
+
+/* x / 2^27, rounded to nearest, halves to even; the result fits 32 bits. */
+static inline int32_t round_even_27(int64_t x)
+{
+    const int64_t up = shift_right_64(x + INT64_C(67108864), 27);
+    const int tie = (((uint64_t)x + UINT64_C(67108864)) & UINT64_C(134217727)) == 0;
+    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
+}
+
+/* x / 2^30, rounded to nearest, halves to even; the result fits 32 bits. */
+static inline int32_t round_even_30(int64_t x)
+{
+    const int64_t up = shift_right_64(x + INT64_C(536870912), 30);
+    const int tie = (((uint64_t)x + UINT64_C(536870912)) & UINT64_C(1073741823)) == 0;
+    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
+}
+
+/* x / 2^32, rounded to nearest, halves to even; the result fits 32 bits. */
+static inline int32_t round_even_32(int64_t x)
+{
+    const int64_t up = shift_right_64(x + INT64_C(2147483648), 32);
+    const int tie = (((uint64_t)x + UINT64_C(2147483648)) & UINT64_C(4294967295)) == 0;
+    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
+}
+
+/* x / 2^36, rounded to nearest, halves to even; the result fits 32 bits. */
+static inline int32_t round_even_36(int64_t x)
+{
+    const int64_t up = shift_right_64(x + INT64_C(34359738368), 36);
+    const int tie = (((uint64_t)x + UINT64_C(34359738368)) & UINT64_C(68719476735)) == 0;
+    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
+}
+
+/* x / 2^37, rounded to nearest, halves to even; the result fits 32 bits. */
+static inline int32_t round_even_37(int64_t x)
+{
+    const int64_t up = shift_right_64(x + INT64_C(68719476736), 37);
+    const int tie = (((uint64_t)x + UINT64_C(68719476736)) & UINT64_C(137438953471)) == 0;
+    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
+}
+
+/* x / 2^42, rounded to nearest, halves to even; the result fits 32 bits. */
+static inline int32_t round_even_42(int64_t x)
+{
+    const int64_t up = shift_right_64(x + INT64_C(2199023255552), 42);
+    const int tie = (((uint64_t)x + UINT64_C(2199023255552)) & UINT64_C(4398046511103)) == 0;
+    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
+}
+
+void rotation_vector_3_coning_even_fixed32_init(rotation_vector_3_coning_even_fixed32_state *state)
+{
+    state->q[0] = 1073741824 /* 1 */;
+    state->q[1] = 0;
+    state->q[2] = 0;
+    state->q[3] = 0;
+}
+
+void rotation_vector_3_coning_even_fixed32_set_quaternion(
+    rotation_vector_3_coning_even_fixed32_state *state, const int32_t q_nb[4])
+{
+    /* q_nb, read once */
+    const int32_t q_nb_w = q_nb[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_nb_x = q_nb[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_nb_y = q_nb[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_nb_z = q_nb[3];  /* F30, |x| <= 1.01 */
+
+    /* e = (1 - |q|^2)/2 */
+    const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
+    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
+    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_4 = e_2 - e_3;  /* F61 */
+    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_6 = e_4 - e_5;  /* F61 */
+    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int32_t e = round_even_21(e_8);  /* F40, |x| <= 0.000978 */
+
+    /* q_next = q + e q */
+    const int64_t q_next_w_part_1 = (int64_t)e * q_nb_w;  /* F70 */
+    const int32_t q_next_w_part = round_even_30(q_next_w_part_1);  /* F40, |x| <= 0.000978 */
+    const int64_t q_next_w_1 = q_nb_w * INT64_C(1024);  /* F40 */
+    const int64_t q_next_w_2 = q_next_w_1 + q_next_w_part;  /* F40 */
+    const int32_t q_next_w = round_even_10(q_next_w_2);  /* F30, |x| <= 1.01 */
+    const int64_t q_next_x_part_1 = (int64_t)e * q_nb_x;  /* F70 */
+    const int32_t q_next_x_part = round_even_30(q_next_x_part_1);  /* F40, |x| <= 0.000978 */
+    const int64_t q_next_x_1 = q_nb_x * INT64_C(1024);  /* F40 */
+    const int64_t q_next_x_2 = q_next_x_1 + q_next_x_part;  /* F40 */
+    const int32_t q_next_x = round_even_10(q_next_x_2);  /* F30, |x| <= 1.01 */
+    const int64_t q_next_y_part_1 = (int64_t)e * q_nb_y;  /* F70 */
+    const int32_t q_next_y_part = round_even_30(q_next_y_part_1);  /* F40, |x| <= 0.000978 */
+    const int64_t q_next_y_1 = q_nb_y * INT64_C(1024);  /* F40 */
+    const int64_t q_next_y_2 = q_next_y_1 + q_next_y_part;  /* F40 */
+    const int32_t q_next_y = round_even_10(q_next_y_2);  /* F30, |x| <= 1.01 */
+    const int64_t q_next_z_part_1 = (int64_t)e * q_nb_z;  /* F70 */
+    const int32_t q_next_z_part = round_even_30(q_next_z_part_1);  /* F40, |x| <= 0.000978 */
+    const int64_t q_next_z_1 = q_nb_z * INT64_C(1024);  /* F40 */
+    const int64_t q_next_z_2 = q_next_z_1 + q_next_z_part;  /* F40 */
+    const int32_t q_next_z = round_even_10(q_next_z_2);  /* F30, |x| <= 1.01 */
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+}
+
+void rotation_vector_3_coning_even_fixed32_update(
+    rotation_vector_3_coning_even_fixed32_state *state, const int32_t dtheta[9])
+{
+    /* attitude and input */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+    const int32_t dtheta1_x = dtheta[0];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta1_y = dtheta[1];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta1_z = dtheta[2];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta2_x = dtheta[3];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta2_y = dtheta[4];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta2_z = dtheta[5];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta3_x = dtheta[6];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta3_y = dtheta[7];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta3_z = dtheta[8];  /* F34, |x| <= 0.0334 */
+
+    /* d = theta_3 - theta_1 */
+    const int32_t d_x = dtheta3_x - dtheta1_x;  /* F34, |x| <= 0.0667 */
+    const int32_t d_y = dtheta3_y - dtheta1_y;  /* F34, |x| <= 0.0667 */
+    const int32_t d_z = dtheta3_z - dtheta1_z;  /* F34, |x| <= 0.0667 */
+
+    /* S = p + theta_2 */
+    const int32_t S_x_1 = dtheta1_x + dtheta3_x;  /* F34 */
+    const int32_t S_x = S_x_1 + dtheta2_x;  /* F34, |x| <= 0.101 */
+    const int32_t S_y_1 = dtheta1_y + dtheta3_y;  /* F34 */
+    const int32_t S_y = S_y_1 + dtheta2_y;  /* F34, |x| <= 0.101 */
+    const int32_t S_z_1 = dtheta1_z + dtheta3_z;  /* F34 */
+    const int32_t S_z = S_z_1 + dtheta2_z;  /* F34, |x| <= 0.101 */
+
+    /* g = S + 2 theta_2   [cao (12)] */
+    const int64_t g_x_1 = dtheta2_x * INT64_C(2);  /* F34 */
+    const int64_t g_x_2 = S_x + g_x_1;  /* F34 */
+    const int32_t g_x = round_even_1(g_x_2);  /* F33, |x| <= 0.167 */
+    const int64_t g_y_1 = dtheta2_y * INT64_C(2);  /* F34 */
+    const int64_t g_y_2 = S_y + g_y_1;  /* F34 */
+    const int32_t g_y = round_even_1(g_y_2);  /* F33, |x| <= 0.167 */
+    const int64_t g_z_1 = dtheta2_z * INT64_C(2);  /* F34 */
+    const int64_t g_z_2 = S_z + g_z_1;  /* F34 */
+    const int32_t g_z = round_even_1(g_z_2);  /* F33, |x| <= 0.167 */
+
+    /* k = 9/40 d   [cao (12)] */
+    const int64_t k_x_1 = (int64_t)1932735283 /* 9/40 */ * d_x;  /* F67 */
+    const int32_t k_x = round_even_30(k_x_1);  /* F37, |x| <= 0.0151 */
+    const int64_t k_y_1 = (int64_t)1932735283 /* 9/40 */ * d_y;  /* F67 */
+    const int32_t k_y = round_even_30(k_y_1);  /* F37, |x| <= 0.0151 */
+    const int64_t k_z_1 = (int64_t)1932735283 /* 9/40 */ * d_z;  /* F67 */
+    const int32_t k_z = round_even_30(k_z_1);  /* F37, |x| <= 0.0151 */
+
+    /* coning = g x k   [cao (12)] */
+    const int64_t coning_x_1 = (int64_t)g_y * k_z;  /* F70 */
+    const int64_t coning_x_2 = (int64_t)g_z * k_y;  /* F70 */
+    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F70 */
+    const int32_t coning_x = round_even_36(coning_x_3);  /* F34, |x| <= 0.00251 */
+
+    /* phi = S + coning   [cao (12)] */
+    const int32_t phi_x = S_x + coning_x;  /* F34, |x| <= 0.103 */
+
+    /* coning = g x k   [cao (12)] */
+    const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F70 */
+    const int64_t coning_y_2 = (int64_t)g_x * k_z;  /* F70 */
+    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F70 */
+    const int32_t coning_y = round_even_36(coning_y_3);  /* F34, |x| <= 0.00251 */
+
+    /* phi = S + coning   [cao (12)] */
+    const int32_t phi_y = S_y + coning_y;  /* F34, |x| <= 0.103 */
+
+    /* coning = g x k   [cao (12)] */
+    const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F70 */
+    const int64_t coning_z_2 = (int64_t)g_y * k_x;  /* F70 */
+    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F70 */
+    const int32_t coning_z = round_even_36(coning_z_3);  /* F34, |x| <= 0.00251 */
+
+    /* phi = S + coning   [cao (12)] */
+    const int32_t phi_z = S_z + coning_z;  /* F34, |x| <= 0.103 */
+
+    /* phi_square = |phi|^2 */
+    const int64_t phi_square_1 = (int64_t)phi_x * phi_x;  /* F68 */
+    const int64_t phi_square_2 = (int64_t)phi_y * phi_y;  /* F68 */
+    const int64_t phi_square_3 = phi_square_1 + phi_square_2;  /* F68 */
+    const int64_t phi_square_4 = (int64_t)phi_z * phi_z;  /* F68 */
+    const int64_t phi_square_5 = phi_square_3 + phi_square_4;  /* F68 */
+    const int32_t phi_square = round_even_32(phi_square_5);  /* F36, |x| <= 0.0105 */
+
+    /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
+    const int64_t u_1 = (int64_t)372811 /* 1/46082 */ * phi_square;  /* F70 */
+    const int64_t u_2 = INT64_C(3074457318914149564) /* 299819/115130497 */ - u_1;  /* F70 */
+    const int32_t u_3 = round_even_42(u_2);  /* F28, |x| <= 0.00261 */
+    const int64_t u_4 = (int64_t)phi_square * u_3;  /* F64 */
+    const int64_t u_5 = u_4 - INT64_C(2305843009213693952) /* 1/8 */;  /* F64 */
+    const int32_t u_6 = round_even_32(u_5);  /* F32, |x| <= 0.126 */
+
+    /* y = sin(|phi|/2)/|phi| - 1/2, polynomial in |phi|^2   [cao (9)] */
+    const int64_t y_1 = (int64_t)69899 /* 3/11521 */ * phi_square;  /* F64 */
+    const int64_t y_2 = y_1 - INT64_C(384307165617423277) /* 3097422/148676257 */;  /* F64 */
+    const int32_t y_3 = round_even_32(y_2);  /* F32, |x| <= 0.0209 */
+    const int64_t y_4 = (int64_t)phi_square * y_3;  /* F68 */
+    const int32_t y = round_even_27(y_4);  /* F41, |x| <= 0.000218 */
+
+    /* bent = y phi   [cao (14)] */
+    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F75 */
+    const int32_t bent_x = round_even_32(bent_x_1);  /* F43, |x| <= 2.23e-05 */
+
+    /* v = phi/2 + bent   [cao (14)] */
+    const int64_t v_x_1 = phi_x * INT64_C(256);  /* F43 */
+    const int64_t v_x_2 = v_x_1 + bent_x;  /* F43 */
+    const int32_t v_x = round_even_8(v_x_2);  /* F35, |x| <= 0.0512 */
+
+    /* bent = y phi   [cao (14)] */
+    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F75 */
+    const int32_t bent_y = round_even_32(bent_y_1);  /* F43, |x| <= 2.23e-05 */
+
+    /* v = phi/2 + bent   [cao (14)] */
+    const int64_t v_y_1 = phi_y * INT64_C(256);  /* F43 */
+    const int64_t v_y_2 = v_y_1 + bent_y;  /* F43 */
+    const int32_t v_y = round_even_8(v_y_2);  /* F35, |x| <= 0.0512 */
+
+    /* bent = y phi   [cao (14)] */
+    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F75 */
+    const int32_t bent_z = round_even_32(bent_z_1);  /* F43, |x| <= 2.23e-05 */
+
+    /* v = phi/2 + bent   [cao (14)] */
+    const int64_t v_z_1 = phi_z * INT64_C(256);  /* F43 */
+    const int64_t v_z_2 = v_z_1 + bent_z;  /* F43 */
+    const int32_t v_z = round_even_8(v_z_2);  /* F35, |x| <= 0.0512 */
+
+    /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
+    const int64_t u_7 = (int64_t)phi_square * u_6;  /* F68 */
+    const int32_t u = round_even_32(u_7);  /* F36, |x| <= 0.00131 */
+
+    /* a = u + e */
+    const int64_t a_1 = u * INT64_C(33554432);  /* F61 */
+    const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+    const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
+    const int64_t a_4 = a_2 - a_3;  /* F61 */
+    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_6 = a_4 - a_5;  /* F61 */
+    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_8 = a_6 - a_7;  /* F61 */
+    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_10 = a_8 - a_9;  /* F61 */
+    const int32_t a = round_even_24(a_10);  /* F37, |x| <= 0.00522 */
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F67 */
+    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
+    const int64_t dq_w_3 = dq_w_2 * INT64_C(4);  /* F67 */
+    const int64_t dq_w_4 = dq_w_1 - dq_w_3;  /* F67 */
+    const int64_t dq_w_5 = (int64_t)q_y * v_y;  /* F65 */
+    const int64_t dq_w_6 = dq_w_5 * INT64_C(4);  /* F67 */
+    const int64_t dq_w_7 = dq_w_4 - dq_w_6;  /* F67 */
+    const int64_t dq_w_8 = (int64_t)q_z * v_z;  /* F65 */
+    const int64_t dq_w_9 = dq_w_8 * INT64_C(4);  /* F67 */
+    const int64_t dq_w_10 = dq_w_7 - dq_w_9;  /* F67 */
+    const int32_t dq_w = round_even_37(dq_w_10);  /* F30, |x| <= 0.0516 */
+
+    /* q_next = q + dq */
+    const int32_t q_next_w = q_w + dq_w;  /* F30, |x| <= 1.01 */
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F65 */
+    const int64_t dq_x_2 = dq_x_1 * INT64_C(4);  /* F67 */
+    const int64_t dq_x_3 = (int64_t)q_x * a;  /* F67 */
+    const int64_t dq_x_4 = dq_x_2 + dq_x_3;  /* F67 */
+    const int64_t dq_x_5 = (int64_t)q_y * v_z;  /* F65 */
+    const int64_t dq_x_6 = dq_x_5 * INT64_C(4);  /* F67 */
+    const int64_t dq_x_7 = dq_x_4 + dq_x_6;  /* F67 */
+    const int64_t dq_x_8 = (int64_t)q_z * v_y;  /* F65 */
+    const int64_t dq_x_9 = dq_x_8 * INT64_C(4);  /* F67 */
+    const int64_t dq_x_10 = dq_x_7 - dq_x_9;  /* F67 */
+    const int32_t dq_x = round_even_37(dq_x_10);  /* F30, |x| <= 0.0516 */
+
+    /* q_next = q + dq */
+    const int32_t q_next_x = q_x + dq_x;  /* F30, |x| <= 1.01 */
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F65 */
+    const int64_t dq_y_2 = dq_y_1 * INT64_C(4);  /* F67 */
+    const int64_t dq_y_3 = (int64_t)q_y * a;  /* F67 */
+    const int64_t dq_y_4 = dq_y_2 + dq_y_3;  /* F67 */
+    const int64_t dq_y_5 = (int64_t)q_z * v_x;  /* F65 */
+    const int64_t dq_y_6 = dq_y_5 * INT64_C(4);  /* F67 */
+    const int64_t dq_y_7 = dq_y_4 + dq_y_6;  /* F67 */
+    const int64_t dq_y_8 = (int64_t)q_x * v_z;  /* F65 */
+    const int64_t dq_y_9 = dq_y_8 * INT64_C(4);  /* F67 */
+    const int64_t dq_y_10 = dq_y_7 - dq_y_9;  /* F67 */
+    const int32_t dq_y = round_even_37(dq_y_10);  /* F30, |x| <= 0.0516 */
+
+    /* q_next = q + dq */
+    const int32_t q_next_y = q_y + dq_y;  /* F30, |x| <= 1.01 */
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F65 */
+    const int64_t dq_z_2 = dq_z_1 * INT64_C(4);  /* F67 */
+    const int64_t dq_z_3 = (int64_t)q_z * a;  /* F67 */
+    const int64_t dq_z_4 = dq_z_2 + dq_z_3;  /* F67 */
+    const int64_t dq_z_5 = (int64_t)q_x * v_y;  /* F65 */
+    const int64_t dq_z_6 = dq_z_5 * INT64_C(4);  /* F67 */
+    const int64_t dq_z_7 = dq_z_4 + dq_z_6;  /* F67 */
+    const int64_t dq_z_8 = (int64_t)q_y * v_x;  /* F65 */
+    const int64_t dq_z_9 = dq_z_8 * INT64_C(4);  /* F67 */
+    const int64_t dq_z_10 = dq_z_7 - dq_z_9;  /* F67 */
+    const int32_t dq_z = round_even_37(dq_z_10);  /* F30, |x| <= 0.0516 */
+
+    /* q_next = q + dq */
+    const int32_t q_next_z = q_z + dq_z;  /* F30, |x| <= 1.01 */
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+}
+
+void rotation_vector_3_coning_even_fixed32_quaternion(
+    const rotation_vector_3_coning_even_fixed32_state *state, int32_t q_nb[4])
+{
+    /* q, read once */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+
+    q_nb[0] = q_w;
+    q_nb[1] = q_x;
+    q_nb[2] = q_y;
+    q_nb[3] = q_z;
+}

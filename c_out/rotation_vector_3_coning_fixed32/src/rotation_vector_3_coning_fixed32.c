@@ -1,0 +1,989 @@
+/* Generated, do not edit. Made by: qcone generate rotation_vector.toml --design rotation_vector_3_coning_fixed32
+ *
+ * qcone 0.1.0, design rotation_vector_3_coning_fixed32, SHA-256 of the design
+ * 903c87a9dd99517001cd553911f339a52a2e1b1614a39b446b902c2fccc55e9b
+ *
+ * algorithm:   rotation-vector-3-coning, form factored, q' = q + q (x) (r - 1), renormalised on
+ *              every update
+ * source:      cao (12), cao (14)
+ * equation:    phi = theta_1 + theta_2 + theta_3 + 9/20 theta_1 x theta_3 + 27/40 theta_2 x
+ *              (theta_3 - theta_1)
+ * number:      fixed32: words of 32 bits, sums in 64; every sum of products rounded once, to
+ *              nearest, halves up; formats and bounds stand beside every line: F fraction bits,
+ *              value = raw * 2^-F
+ * flags:       -std=c99; no other flag matters
+ *
+ * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.033336 rad; |phi|
+ *              <= 0.1021 rad; | |q| - 1 | <= 0.00391 always, proved; within it no sum overflows,
+ *              as is proved; beyond it nothing is promised: clamp inputs that can be so large
+ * truncation:  minimax polynomials of degree 3 (cos) and 2 (sin) in |phi|^2; error of r at most
+ *              2.5e-15 (scalar), 7.8e-14 (vector), proved over the rationals
+ * rounding:    one update is within 1.2e-09 of exact arithmetic, in the norm of the components;
+ *              proved
+ * high words:  7 of 20 rounded sums of products drop a whole word, 1 before formats were searched
+ *              for that; of one update's errors in the first order it made 2.2e-09 of 2.2e-09
+ *
+ * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
+ * update as-written       44       0   37        13       0       0     0     0     0       0      0
+ * update shared           40       4   37        13       0       0     0     0     0       0      0
+ * update emitted          40       0   28        19       0       0     0     0     0       0     45
+ * dcm as-written           9       0    9         6       0       0     0     0     0       0      0
+ * dcm shared               9       0    9         6       0       0     0     0     0       0      0
+ * dcm emitted              9       0    3         9       0       0     0     0     0       0     15
+ * euler as-written        82       0   43        19       9       3     0     0    26      54      0
+ * euler shared            54      26   43        19       9       3     0     0    26      54      0
+ * euler emitted           54       0   27        34       9       3     0     0    26      85    139
+ *
+ * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
+ * the bits are the same on every conforming compiler and processor, whatever its flags.
+ *
+ * SPDX-License-Identifier: MIT-0
+ * The maker of the generator claims no rights in this file.
+ */
+#include "rotation_vector_3_coning_fixed32.h"
+
+#if ROTATION_VECTOR_3_CONING_FIXED32_VERSION != 1
+#error "rotation_vector_3_coning_fixed32.h is of another version than this file: generate both again"
+#endif
+
+
+/* x / 2^bits, rounded down, 0 <= bits < 32. */
+static inline int32_t shift_right_32(int32_t x, int bits)
+{
+    return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
+/* x / 2^bits, rounded down, 0 <= bits < 64. */
+static inline int64_t shift_right_64(int64_t x, int bits)
+{
+    return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
+/* x, kept from low to high. */
+static inline int32_t clamp_32(int32_t x, int32_t low, int32_t high)
+{
+    return ((x < low) ? low : ((x > high) ? high : x));
+}
+
+/* x, kept from low to high. */
+static inline int64_t clamp_64(int64_t x, int64_t low, int64_t high)
+{
+    return ((x < low) ? low : ((x > high) ? high : x));
+}
+
+/* x, kept from low to high. */
+static inline int32_t clamp_64_to_32(int64_t x, int64_t low, int64_t high)
+{
+    return (int32_t)((x < low) ? low : ((x > high) ? high : x));
+}
+
+/* x / 2^1, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_1(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1)) >> 1);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^2, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_2(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(2)) >> 2);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^8, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_8(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(128)) >> 8);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_10(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^21, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_21(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1048576)) >> 21);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^24, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_24(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(8388608)) >> 24);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^26, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_26(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(33554432)) >> 26);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^27, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_27(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(67108864)) >> 27);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^28, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_28(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(134217728)) >> 28);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^29, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_29(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(268435456)) >> 29);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^30, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_30(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(536870912)) >> 30);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^31, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_31(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1073741824)) >> 31);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^32, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_32(int64_t x)
+{
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(2147483648)) >> 32);
+    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^33, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_33(int64_t x)
+{
+    return (int32_t)shift_right_64(x + INT64_C(4294967296), 33);
+}
+
+/* x / 2^34, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_34(int64_t x)
+{
+    return (int32_t)shift_right_64(x + INT64_C(8589934592), 34);
+}
+
+/* x / 2^35, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_35(int64_t x)
+{
+    return (int32_t)shift_right_64(x + INT64_C(17179869184), 35);
+}
+
+/* x / 2^36, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_36(int64_t x)
+{
+    return (int32_t)shift_right_64(x + INT64_C(34359738368), 36);
+}
+
+/* x / 2^37, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_37(int64_t x)
+{
+    return (int32_t)shift_right_64(x + INT64_C(68719476736), 37);
+}
+
+/* x / 2^42, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_42(int64_t x)
+{
+    return (int32_t)shift_right_64(x + INT64_C(2199023255552), 42);
+}
+
+/* x / 2^1, rounded to nearest, halves up. */
+static inline int32_t round_short_1(int32_t x)
+{
+    return shift_right_32(x + 1, 1);
+}
+
+/* x / 2^2, rounded to nearest, halves up. */
+static inline int32_t round_short_2(int32_t x)
+{
+    return shift_right_32(x + 2, 2);
+}
+
+/* x / 2^4, rounded to nearest, halves up. */
+static inline int32_t round_short_4(int32_t x)
+{
+    return shift_right_32(x + 8, 4);
+}
+
+/* x / 2^8, rounded to nearest, halves up. */
+static inline int32_t round_short_8(int32_t x)
+{
+    return shift_right_32(x + 128, 8);
+}
+
+void rotation_vector_3_coning_fixed32_init(rotation_vector_3_coning_fixed32_state *state)
+{
+    state->q[0] = 1073741824 /* 1 */;
+    state->q[1] = 0;
+    state->q[2] = 0;
+    state->q[3] = 0;
+}
+
+void rotation_vector_3_coning_fixed32_set_quaternion(
+    rotation_vector_3_coning_fixed32_state *state, const int32_t q_nb[4])
+{
+    /* q_nb, read once */
+    const int32_t q_nb_w = q_nb[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_nb_x = q_nb[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_nb_y = q_nb[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_nb_z = q_nb[3];  /* F30, |x| <= 1.01 */
+
+    /* e = (1 - |q|^2)/2 */
+    const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
+    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
+    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_4 = e_2 - e_3;  /* F61 */
+    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_6 = e_4 - e_5;  /* F61 */
+    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int32_t e = round_21(e_8);  /* F40, |x| <= 0.000978 */
+
+    /* q_next = q + e q */
+    const int64_t q_next_w_part_1 = (int64_t)e * q_nb_w;  /* F70 */
+    const int32_t q_next_w_part = round_30(q_next_w_part_1);  /* F40, |x| <= 0.000978 */
+    const int64_t q_next_w_1 = q_nb_w * INT64_C(1024);  /* F40 */
+    const int64_t q_next_w_2 = q_next_w_1 + q_next_w_part;  /* F40 */
+    const int32_t q_next_w = round_10(q_next_w_2);  /* F30, |x| <= 1.01 */
+    const int64_t q_next_x_part_1 = (int64_t)e * q_nb_x;  /* F70 */
+    const int32_t q_next_x_part = round_30(q_next_x_part_1);  /* F40, |x| <= 0.000978 */
+    const int64_t q_next_x_1 = q_nb_x * INT64_C(1024);  /* F40 */
+    const int64_t q_next_x_2 = q_next_x_1 + q_next_x_part;  /* F40 */
+    const int32_t q_next_x = round_10(q_next_x_2);  /* F30, |x| <= 1.01 */
+    const int64_t q_next_y_part_1 = (int64_t)e * q_nb_y;  /* F70 */
+    const int32_t q_next_y_part = round_30(q_next_y_part_1);  /* F40, |x| <= 0.000978 */
+    const int64_t q_next_y_1 = q_nb_y * INT64_C(1024);  /* F40 */
+    const int64_t q_next_y_2 = q_next_y_1 + q_next_y_part;  /* F40 */
+    const int32_t q_next_y = round_10(q_next_y_2);  /* F30, |x| <= 1.01 */
+    const int64_t q_next_z_part_1 = (int64_t)e * q_nb_z;  /* F70 */
+    const int32_t q_next_z_part = round_30(q_next_z_part_1);  /* F40, |x| <= 0.000978 */
+    const int64_t q_next_z_1 = q_nb_z * INT64_C(1024);  /* F40 */
+    const int64_t q_next_z_2 = q_next_z_1 + q_next_z_part;  /* F40 */
+    const int32_t q_next_z = round_10(q_next_z_2);  /* F30, |x| <= 1.01 */
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+}
+
+void rotation_vector_3_coning_fixed32_update(
+    rotation_vector_3_coning_fixed32_state *state, const int32_t dtheta[9])
+{
+    /* attitude and input */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+    const int32_t dtheta1_x = dtheta[0];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta1_y = dtheta[1];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta1_z = dtheta[2];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta2_x = dtheta[3];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta2_y = dtheta[4];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta2_z = dtheta[5];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta3_x = dtheta[6];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta3_y = dtheta[7];  /* F34, |x| <= 0.0334 */
+    const int32_t dtheta3_z = dtheta[8];  /* F34, |x| <= 0.0334 */
+
+    /* d = theta_3 - theta_1 */
+    const int32_t d_x = dtheta3_x - dtheta1_x;  /* F34, |x| <= 0.0667 */
+    const int32_t d_y = dtheta3_y - dtheta1_y;  /* F34, |x| <= 0.0667 */
+    const int32_t d_z = dtheta3_z - dtheta1_z;  /* F34, |x| <= 0.0667 */
+
+    /* S = p + theta_2 */
+    const int32_t S_x_1 = dtheta1_x + dtheta3_x;  /* F34 */
+    const int32_t S_x = S_x_1 + dtheta2_x;  /* F34, |x| <= 0.101 */
+    const int32_t S_y_1 = dtheta1_y + dtheta3_y;  /* F34 */
+    const int32_t S_y = S_y_1 + dtheta2_y;  /* F34, |x| <= 0.101 */
+    const int32_t S_z_1 = dtheta1_z + dtheta3_z;  /* F34 */
+    const int32_t S_z = S_z_1 + dtheta2_z;  /* F34, |x| <= 0.101 */
+
+    /* g = S + 2 theta_2   [cao (12)] */
+    const int64_t g_x_1 = dtheta2_x * INT64_C(2);  /* F34 */
+    const int64_t g_x_2 = S_x + g_x_1;  /* F34 */
+    const int32_t g_x = round_1(g_x_2);  /* F33, |x| <= 0.167 */
+    const int64_t g_y_1 = dtheta2_y * INT64_C(2);  /* F34 */
+    const int64_t g_y_2 = S_y + g_y_1;  /* F34 */
+    const int32_t g_y = round_1(g_y_2);  /* F33, |x| <= 0.167 */
+    const int64_t g_z_1 = dtheta2_z * INT64_C(2);  /* F34 */
+    const int64_t g_z_2 = S_z + g_z_1;  /* F34 */
+    const int32_t g_z = round_1(g_z_2);  /* F33, |x| <= 0.167 */
+
+    /* k = 9/40 d   [cao (12)] */
+    const int64_t k_x_1 = (int64_t)1932735283 /* 9/40 */ * d_x;  /* F67 */
+    const int32_t k_x = round_30(k_x_1);  /* F37, |x| <= 0.0151 */
+    const int64_t k_y_1 = (int64_t)1932735283 /* 9/40 */ * d_y;  /* F67 */
+    const int32_t k_y = round_30(k_y_1);  /* F37, |x| <= 0.0151 */
+    const int64_t k_z_1 = (int64_t)1932735283 /* 9/40 */ * d_z;  /* F67 */
+    const int32_t k_z = round_30(k_z_1);  /* F37, |x| <= 0.0151 */
+
+    /* coning = g x k   [cao (12)] */
+    const int64_t coning_x_1 = (int64_t)g_y * k_z;  /* F70 */
+    const int64_t coning_x_2 = (int64_t)g_z * k_y;  /* F70 */
+    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F70 */
+    const int32_t coning_x = round_36(coning_x_3);  /* F34, |x| <= 0.00251 */
+
+    /* phi = S + coning   [cao (12)] */
+    const int32_t phi_x = S_x + coning_x;  /* F34, |x| <= 0.103 */
+
+    /* coning = g x k   [cao (12)] */
+    const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F70 */
+    const int64_t coning_y_2 = (int64_t)g_x * k_z;  /* F70 */
+    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F70 */
+    const int32_t coning_y = round_36(coning_y_3);  /* F34, |x| <= 0.00251 */
+
+    /* phi = S + coning   [cao (12)] */
+    const int32_t phi_y = S_y + coning_y;  /* F34, |x| <= 0.103 */
+
+    /* coning = g x k   [cao (12)] */
+    const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F70 */
+    const int64_t coning_z_2 = (int64_t)g_y * k_x;  /* F70 */
+    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F70 */
+    const int32_t coning_z = round_36(coning_z_3);  /* F34, |x| <= 0.00251 */
+
+    /* phi = S + coning   [cao (12)] */
+    const int32_t phi_z = S_z + coning_z;  /* F34, |x| <= 0.103 */
+
+    /* phi_square = |phi|^2 */
+    const int64_t phi_square_1 = (int64_t)phi_x * phi_x;  /* F68 */
+    const int64_t phi_square_2 = (int64_t)phi_y * phi_y;  /* F68 */
+    const int64_t phi_square_3 = phi_square_1 + phi_square_2;  /* F68 */
+    const int64_t phi_square_4 = (int64_t)phi_z * phi_z;  /* F68 */
+    const int64_t phi_square_5 = phi_square_3 + phi_square_4;  /* F68 */
+    const int32_t phi_square = round_32(phi_square_5);  /* F36, |x| <= 0.0105 */
+
+    /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
+    const int64_t u_1 = (int64_t)372811 /* 1/46082 */ * phi_square;  /* F70 */
+    const int64_t u_2 = INT64_C(3074457318914149564) /* 299819/115130497 */ - u_1;  /* F70 */
+    const int32_t u_3 = round_42(u_2);  /* F28, |x| <= 0.00261 */
+    const int64_t u_4 = (int64_t)phi_square * u_3;  /* F64 */
+    const int64_t u_5 = u_4 - INT64_C(2305843009213693952) /* 1/8 */;  /* F64 */
+    const int32_t u_6 = round_32(u_5);  /* F32, |x| <= 0.126 */
+
+    /* y = sin(|phi|/2)/|phi| - 1/2, polynomial in |phi|^2   [cao (9)] */
+    const int64_t y_1 = (int64_t)69899 /* 3/11521 */ * phi_square;  /* F64 */
+    const int64_t y_2 = y_1 - INT64_C(384307165617423277) /* 3097422/148676257 */;  /* F64 */
+    const int32_t y_3 = round_32(y_2);  /* F32, |x| <= 0.0209 */
+    const int64_t y_4 = (int64_t)phi_square * y_3;  /* F68 */
+    const int32_t y = round_27(y_4);  /* F41, |x| <= 0.000218 */
+
+    /* bent = y phi   [cao (14)] */
+    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F75 */
+    const int32_t bent_x = round_32(bent_x_1);  /* F43, |x| <= 2.23e-05 */
+
+    /* v = phi/2 + bent   [cao (14)] */
+    const int64_t v_x_1 = phi_x * INT64_C(256);  /* F43 */
+    const int64_t v_x_2 = v_x_1 + bent_x;  /* F43 */
+    const int32_t v_x = round_8(v_x_2);  /* F35, |x| <= 0.0512 */
+
+    /* bent = y phi   [cao (14)] */
+    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F75 */
+    const int32_t bent_y = round_32(bent_y_1);  /* F43, |x| <= 2.23e-05 */
+
+    /* v = phi/2 + bent   [cao (14)] */
+    const int64_t v_y_1 = phi_y * INT64_C(256);  /* F43 */
+    const int64_t v_y_2 = v_y_1 + bent_y;  /* F43 */
+    const int32_t v_y = round_8(v_y_2);  /* F35, |x| <= 0.0512 */
+
+    /* bent = y phi   [cao (14)] */
+    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F75 */
+    const int32_t bent_z = round_32(bent_z_1);  /* F43, |x| <= 2.23e-05 */
+
+    /* v = phi/2 + bent   [cao (14)] */
+    const int64_t v_z_1 = phi_z * INT64_C(256);  /* F43 */
+    const int64_t v_z_2 = v_z_1 + bent_z;  /* F43 */
+    const int32_t v_z = round_8(v_z_2);  /* F35, |x| <= 0.0512 */
+
+    /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
+    const int64_t u_7 = (int64_t)phi_square * u_6;  /* F68 */
+    const int32_t u = round_32(u_7);  /* F36, |x| <= 0.00131 */
+
+    /* a = u + e */
+    const int64_t a_1 = u * INT64_C(33554432);  /* F61 */
+    const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+    const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
+    const int64_t a_4 = a_2 - a_3;  /* F61 */
+    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_6 = a_4 - a_5;  /* F61 */
+    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_8 = a_6 - a_7;  /* F61 */
+    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_10 = a_8 - a_9;  /* F61 */
+    const int32_t a = round_24(a_10);  /* F37, |x| <= 0.00522 */
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F67 */
+    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
+    const int64_t dq_w_3 = dq_w_2 * INT64_C(4);  /* F67 */
+    const int64_t dq_w_4 = dq_w_1 - dq_w_3;  /* F67 */
+    const int64_t dq_w_5 = (int64_t)q_y * v_y;  /* F65 */
+    const int64_t dq_w_6 = dq_w_5 * INT64_C(4);  /* F67 */
+    const int64_t dq_w_7 = dq_w_4 - dq_w_6;  /* F67 */
+    const int64_t dq_w_8 = (int64_t)q_z * v_z;  /* F65 */
+    const int64_t dq_w_9 = dq_w_8 * INT64_C(4);  /* F67 */
+    const int64_t dq_w_10 = dq_w_7 - dq_w_9;  /* F67 */
+    const int32_t dq_w = round_37(dq_w_10);  /* F30, |x| <= 0.0516 */
+
+    /* q_next = q + dq */
+    const int32_t q_next_w = q_w + dq_w;  /* F30, |x| <= 1.01 */
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F65 */
+    const int64_t dq_x_2 = dq_x_1 * INT64_C(4);  /* F67 */
+    const int64_t dq_x_3 = (int64_t)q_x * a;  /* F67 */
+    const int64_t dq_x_4 = dq_x_2 + dq_x_3;  /* F67 */
+    const int64_t dq_x_5 = (int64_t)q_y * v_z;  /* F65 */
+    const int64_t dq_x_6 = dq_x_5 * INT64_C(4);  /* F67 */
+    const int64_t dq_x_7 = dq_x_4 + dq_x_6;  /* F67 */
+    const int64_t dq_x_8 = (int64_t)q_z * v_y;  /* F65 */
+    const int64_t dq_x_9 = dq_x_8 * INT64_C(4);  /* F67 */
+    const int64_t dq_x_10 = dq_x_7 - dq_x_9;  /* F67 */
+    const int32_t dq_x = round_37(dq_x_10);  /* F30, |x| <= 0.0516 */
+
+    /* q_next = q + dq */
+    const int32_t q_next_x = q_x + dq_x;  /* F30, |x| <= 1.01 */
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F65 */
+    const int64_t dq_y_2 = dq_y_1 * INT64_C(4);  /* F67 */
+    const int64_t dq_y_3 = (int64_t)q_y * a;  /* F67 */
+    const int64_t dq_y_4 = dq_y_2 + dq_y_3;  /* F67 */
+    const int64_t dq_y_5 = (int64_t)q_z * v_x;  /* F65 */
+    const int64_t dq_y_6 = dq_y_5 * INT64_C(4);  /* F67 */
+    const int64_t dq_y_7 = dq_y_4 + dq_y_6;  /* F67 */
+    const int64_t dq_y_8 = (int64_t)q_x * v_z;  /* F65 */
+    const int64_t dq_y_9 = dq_y_8 * INT64_C(4);  /* F67 */
+    const int64_t dq_y_10 = dq_y_7 - dq_y_9;  /* F67 */
+    const int32_t dq_y = round_37(dq_y_10);  /* F30, |x| <= 0.0516 */
+
+    /* q_next = q + dq */
+    const int32_t q_next_y = q_y + dq_y;  /* F30, |x| <= 1.01 */
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F65 */
+    const int64_t dq_z_2 = dq_z_1 * INT64_C(4);  /* F67 */
+    const int64_t dq_z_3 = (int64_t)q_z * a;  /* F67 */
+    const int64_t dq_z_4 = dq_z_2 + dq_z_3;  /* F67 */
+    const int64_t dq_z_5 = (int64_t)q_x * v_y;  /* F65 */
+    const int64_t dq_z_6 = dq_z_5 * INT64_C(4);  /* F67 */
+    const int64_t dq_z_7 = dq_z_4 + dq_z_6;  /* F67 */
+    const int64_t dq_z_8 = (int64_t)q_y * v_x;  /* F65 */
+    const int64_t dq_z_9 = dq_z_8 * INT64_C(4);  /* F67 */
+    const int64_t dq_z_10 = dq_z_7 - dq_z_9;  /* F67 */
+    const int32_t dq_z = round_37(dq_z_10);  /* F30, |x| <= 0.0516 */
+
+    /* q_next = q + dq */
+    const int32_t q_next_z = q_z + dq_z;  /* F30, |x| <= 1.01 */
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+}
+
+void rotation_vector_3_coning_fixed32_quaternion(
+    const rotation_vector_3_coning_fixed32_state *state, int32_t q_nb[4])
+{
+    /* q, read once */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+
+    q_nb[0] = q_w;
+    q_nb[1] = q_x;
+    q_nb[2] = q_y;
+    q_nb[3] = q_z;
+}
+
+void rotation_vector_3_coning_fixed32_dcm(
+    const rotation_vector_3_coning_fixed32_state *state, int32_t c_nb[9])
+{
+    /* q, read once */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+
+    /* zz = 2 q_z q_z; wx, wy, ... likewise   [cao (15)] */
+    const int64_t wx_1 = (int64_t)q_w * q_x;  /* F60 */
+    const int32_t wx = round_29(wx_1);  /* F30, |x| <= 1.01 */
+    const int64_t wy_1 = (int64_t)q_w * q_y;  /* F60 */
+    const int32_t wy = round_29(wy_1);  /* F30, |x| <= 1.01 */
+    const int64_t wz_1 = (int64_t)q_w * q_z;  /* F60 */
+    const int32_t wz = round_29(wz_1);  /* F30, |x| <= 1.01 */
+    const int64_t xx_1 = (int64_t)q_x * q_x;  /* F60 */
+    const int32_t xx = round_30(xx_1);  /* F29, |x| <= 2.02 */
+    const int64_t xy_1 = (int64_t)q_x * q_y;  /* F60 */
+    const int32_t xy = round_29(xy_1);  /* F30, |x| <= 1.01 */
+    const int64_t xz_1 = (int64_t)q_x * q_z;  /* F60 */
+    const int32_t xz = round_29(xz_1);  /* F30, |x| <= 1.01 */
+    const int64_t yy_1 = (int64_t)q_y * q_y;  /* F60 */
+    const int32_t yy = round_30(yy_1);  /* F29, |x| <= 2.02 */
+    const int64_t yz_1 = (int64_t)q_y * q_z;  /* F60 */
+    const int32_t yz = round_29(yz_1);  /* F30, |x| <= 1.01 */
+    const int64_t zz_1 = (int64_t)q_z * q_z;  /* F60 */
+    const int32_t zz = round_30(zz_1);  /* F29, |x| <= 2.02 */
+
+    /* c_nb = C_nb(q)   [cao (15)] */
+    const int64_t c_nb_11_1 = yy * INT64_C(2);  /* F30 */
+    const int64_t c_nb_11_2 = INT64_C(1073741824) /* 1 */ - c_nb_11_1;  /* F30 */
+    const int64_t c_nb_11_3 = zz * INT64_C(2);  /* F30 */
+    const int64_t c_nb_11_4 = c_nb_11_2 - c_nb_11_3;  /* F30 */
+    const int32_t c_nb_11 = (int32_t)c_nb_11_4;  /* F30, |x| <= 1.02 */
+    const int64_t c_nb_12_1 = (int64_t)xy - wz;  /* F30 */
+    const int32_t c_nb_12 = (int32_t)c_nb_12_1;  /* F30, |x| <= 1.02 */
+    const int64_t c_nb_13_1 = (int64_t)xz + wy;  /* F30 */
+    const int32_t c_nb_13 = (int32_t)c_nb_13_1;  /* F30, |x| <= 1.02 */
+    const int64_t c_nb_21_1 = (int64_t)xy + wz;  /* F30 */
+    const int32_t c_nb_21 = (int32_t)c_nb_21_1;  /* F30, |x| <= 1.02 */
+    const int64_t c_nb_22_1 = xx * INT64_C(2);  /* F30 */
+    const int64_t c_nb_22_2 = INT64_C(1073741824) /* 1 */ - c_nb_22_1;  /* F30 */
+    const int64_t c_nb_22_3 = zz * INT64_C(2);  /* F30 */
+    const int64_t c_nb_22_4 = c_nb_22_2 - c_nb_22_3;  /* F30 */
+    const int32_t c_nb_22 = (int32_t)c_nb_22_4;  /* F30, |x| <= 1.02 */
+    const int64_t c_nb_23_1 = (int64_t)yz - wx;  /* F30 */
+    const int32_t c_nb_23 = (int32_t)c_nb_23_1;  /* F30, |x| <= 1.02 */
+    const int64_t c_nb_31_1 = (int64_t)xz - wy;  /* F30 */
+    const int32_t c_nb_31 = (int32_t)c_nb_31_1;  /* F30, |x| <= 1.02 */
+    const int64_t c_nb_32_1 = (int64_t)yz + wx;  /* F30 */
+    const int32_t c_nb_32 = (int32_t)c_nb_32_1;  /* F30, |x| <= 1.02 */
+    const int64_t c_nb_33_1 = xx * INT64_C(2);  /* F30 */
+    const int64_t c_nb_33_2 = INT64_C(1073741824) /* 1 */ - c_nb_33_1;  /* F30 */
+    const int64_t c_nb_33_3 = yy * INT64_C(2);  /* F30 */
+    const int64_t c_nb_33_4 = c_nb_33_2 - c_nb_33_3;  /* F30 */
+    const int32_t c_nb_33 = (int32_t)c_nb_33_4;  /* F30, |x| <= 1.02 */
+
+    c_nb[0] = c_nb_11;
+    c_nb[1] = c_nb_12;
+    c_nb[2] = c_nb_13;
+    c_nb[3] = c_nb_21;
+    c_nb[4] = c_nb_22;
+    c_nb[5] = c_nb_23;
+    c_nb[6] = c_nb_31;
+    c_nb[7] = c_nb_32;
+    c_nb[8] = c_nb_33;
+}
+
+void rotation_vector_3_coning_fixed32_euler(
+    const rotation_vector_3_coning_fixed32_state *state, int32_t rpy[3])
+{
+    /* q, read once */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+
+    /* half_sum = (yaw + roll)/2   [zyx] */
+    const int64_t half_sum_1 = (int64_t)q_z + q_x;  /* F30 */
+    const int32_t half_sum_2 = round_1(half_sum_1);  /* F29, |x| <= 2.01 */
+    const int64_t half_sum_3 = (int64_t)q_w - q_y;  /* F30 */
+    const int32_t half_sum_4 = round_1(half_sum_3);  /* F29, |x| <= 2.01 */
+    const int64_t half_difference_1 = (int64_t)q_z - q_x;  /* F30 */
+    const int32_t half_difference_2 = round_1(half_difference_1);  /* F29, |x| <= 2.01 */
+    const int64_t half_difference_3 = (int64_t)q_w + q_y;  /* F30 */
+    const int32_t half_difference_4 = round_1(half_difference_3);  /* F29, |x| <= 2.01 */
+    const int32_t half_sum_5 = half_sum_2 < 0;
+    const int32_t half_sum_6 = -half_sum_2;  /* F29, |x| <= 2.01 */
+    const int32_t half_sum_7 = (half_sum_5 != 0) ? half_sum_6 : half_sum_2;  /* F29, |x| <= 2.01 */
+    const int32_t half_sum_8 = half_sum_4 < 0;
+    const int32_t half_sum_9 = -half_sum_4;  /* F29, |x| <= 2.01 */
+    const int32_t half_sum_10 = (half_sum_8 != 0) ? half_sum_9 : half_sum_4;  /* F29, |x| <= 2.01 */
+    const int32_t half_sum_11 = half_sum_10 < half_sum_7;
+    const int32_t half_sum_12 = (half_sum_11 != 0) ? half_sum_10 : half_sum_7;  /* F29, |x| <= 2.01 */
+    const int32_t half_sum_13 = (half_sum_11 != 0) ? half_sum_7 : half_sum_10;  /* F29, |x| <= 2.01 */
+    const int64_t half_sum_14 = (int64_t)889516847 /* 10355339/25000000 */ * half_sum_13;  /* F60 */
+    const int32_t half_sum_15 = round_29(half_sum_14);  /* F31, |x| <= 0.832 */
+    const int64_t half_sum_16 = half_sum_15 * INT64_C(1);  /* F31 */
+    const int64_t half_sum_17 = half_sum_12 * INT64_C(4);  /* F31 */
+    const int32_t half_sum_18 = half_sum_16 < half_sum_17;
+    const int64_t half_sum_19 = (int64_t)half_sum_12 - half_sum_13;  /* F29 */
+    const int32_t half_sum_20 = round_1(half_sum_19);  /* F28, |x| <= 4.02 */
+    const int32_t half_sum_21 = round_short_1(half_sum_12);  /* F28 */
+    const int32_t half_sum_22 = (half_sum_18 != 0) ? half_sum_20 : half_sum_21;  /* F28, |x| <= 4.02 */
+    const int64_t half_sum_23 = (int64_t)half_sum_12 + half_sum_13;  /* F29 */
+    const int32_t half_sum_24 = round_1(half_sum_23);  /* F28, |x| <= 4.02 */
+    const int32_t half_sum_25 = round_short_1(half_sum_13);  /* F28 */
+    const int32_t half_sum_26 = (half_sum_18 != 0) ? half_sum_24 : half_sum_25;  /* F28, |x| <= 4.02 */
+    const int32_t half_sum_27 = clamp_32(half_sum_26, 2, 2147483647);  /* F28, |x| <= 4.02 */
+    const int64_t half_sum_28 = half_sum_22 * INT64_C(4294967296);  /* F60 */
+    const int64_t half_sum_29 = half_sum_28 / half_sum_27;  /* F32, |x| <= 5.39e+08 */
+    const int32_t half_sum_30 = clamp_64_to_32(half_sum_29, INT64_C(-1779404950), INT64_C(1779404950));  /* F32, |x| <= 0.415 */
+    const int64_t half_sum_31 = (int64_t)half_sum_30 * half_sum_30;  /* F64 */
+    const int32_t half_sum_32 = round_31(half_sum_31);  /* F33, |x| <= 0.172 */
+    const int64_t half_sum_33 = (int64_t)510875761 /* 382/6423 */ * half_sum_32;  /* F66 */
+    const int64_t half_sum_34 = INT64_C(7773993415904670242) /* 1650/15661 */ - half_sum_33;  /* F66 */
+    const int32_t half_sum_35 = round_34(half_sum_34);  /* F32, |x| <= 0.106 */
+    const int64_t half_sum_36 = (int64_t)half_sum_32 * half_sum_35;  /* F65 */
+    const int64_t half_sum_37 = half_sum_36 - INT64_C(5251586747234353517) /* 7339/51558 */;  /* F65 */
+    const int32_t half_sum_38 = round_33(half_sum_37);  /* F32, |x| <= 0.143 */
+    const int64_t half_sum_39 = (int64_t)half_sum_32 * half_sum_38;  /* F65 */
+    const int64_t half_sum_40 = INT64_C(7377920055805538292) /* 58828/294171 */ + half_sum_39;  /* F65 */
+    const int32_t half_sum_41 = round_34(half_sum_40);  /* F31, |x| <= 0.2 */
+    const int64_t half_sum_42 = (int64_t)half_sum_32 * half_sum_41;  /* F64 */
+    const int64_t half_sum_43 = half_sum_42 - INT64_C(6148909082171862706) /* 365415/1096246 */;  /* F64 */
+    const int32_t half_sum_44 = round_32(half_sum_43);  /* F32, |x| <= 0.334 */
+    const int64_t half_sum_45 = (int64_t)half_sum_32 * half_sum_44;  /* F65 */
+    const int32_t half_sum_46 = round_30(half_sum_45);  /* F35, |x| <= 0.0573 */
+    const int64_t half_sum_47 = (int64_t)half_sum_30 * half_sum_46;  /* F67 */
+    const int32_t half_sum_48 = round_35(half_sum_47);  /* F32, |x| <= 0.0238 */
+    const int32_t half_sum_49 = half_sum_30 + half_sum_48;  /* F32, |x| <= 0.439 */
+    const int64_t half_sum_50 = INT64_C(3373259426) + half_sum_49;  /* F32 */
+    const int32_t half_sum_51 = round_2(half_sum_50);  /* F30, |x| <= 1.23 */
+    const int32_t half_sum_52 = round_short_2(half_sum_49);  /* F30 */
+    const int32_t half_sum_53 = (half_sum_18 != 0) ? half_sum_51 : half_sum_52;  /* F30, |x| <= 1.23 */
+    const int64_t half_sum_54 = INT64_C(1686629713) - half_sum_53;  /* F30 */
+    const int32_t half_sum_55 = round_1(half_sum_54);  /* F29, |x| <= 2.01 */
+    const int32_t half_sum_56 = round_short_1(half_sum_53);  /* F29 */
+    const int32_t half_sum_57 = (half_sum_11 != 0) ? half_sum_55 : half_sum_56;  /* F29, |x| <= 2.01 */
+    const int64_t half_sum_58 = INT64_C(1686629713) - half_sum_57;  /* F29 */
+    const int32_t half_sum_59 = (int32_t)half_sum_58;  /* F29, |x| <= 3.58 */
+    const int32_t half_sum_60 = (half_sum_8 != 0) ? half_sum_59 : half_sum_57;  /* F29, |x| <= 3.58 */
+    const int32_t half_sum_61 = -half_sum_60;  /* F29, |x| <= 3.58 */
+    const int32_t half_sum = (half_sum_5 != 0) ? half_sum_61 : half_sum_60;  /* F29, |x| <= 3.58 */
+
+    /* half_difference = (yaw - roll)/2   [zyx] */
+    const int32_t half_difference_5 = half_difference_2 < 0;
+    const int32_t half_difference_6 = -half_difference_2;  /* F29, |x| <= 2.01 */
+    const int32_t half_difference_7 = (half_difference_5 != 0) ? half_difference_6 : half_difference_2;  /* F29, |x| <= 2.01 */
+    const int32_t half_difference_8 = half_difference_4 < 0;
+    const int32_t half_difference_9 = -half_difference_4;  /* F29, |x| <= 2.01 */
+    const int32_t half_difference_10 = (half_difference_8 != 0) ? half_difference_9 : half_difference_4;  /* F29, |x| <= 2.01 */
+    const int32_t half_difference_11 = half_difference_10 < half_difference_7;
+    const int32_t half_difference_12 = (half_difference_11 != 0) ? half_difference_10 : half_difference_7;  /* F29, |x| <= 2.01 */
+    const int32_t half_difference_13 = (half_difference_11 != 0) ? half_difference_7 : half_difference_10;  /* F29, |x| <= 2.01 */
+    const int64_t half_difference_14 = (int64_t)889516847 /* 10355339/25000000 */ * half_difference_13;  /* F60 */
+    const int32_t half_difference_15 = round_29(half_difference_14);  /* F31, |x| <= 0.832 */
+    const int64_t half_difference_16 = half_difference_15 * INT64_C(1);  /* F31 */
+    const int64_t half_difference_17 = half_difference_12 * INT64_C(4);  /* F31 */
+    const int32_t half_difference_18 = half_difference_16 < half_difference_17;
+    const int64_t half_difference_19 = (int64_t)half_difference_12 - half_difference_13;  /* F29 */
+    const int32_t half_difference_20 = round_1(half_difference_19);  /* F28, |x| <= 4.02 */
+    const int32_t half_difference_21 = round_short_1(half_difference_12);  /* F28 */
+    const int32_t half_difference_22 = (half_difference_18 != 0) ? half_difference_20 : half_difference_21;  /* F28, |x| <= 4.02 */
+    const int64_t half_difference_23 = (int64_t)half_difference_12 + half_difference_13;  /* F29 */
+    const int32_t half_difference_24 = round_1(half_difference_23);  /* F28, |x| <= 4.02 */
+    const int32_t half_difference_25 = round_short_1(half_difference_13);  /* F28 */
+    const int32_t half_difference_26 = (half_difference_18 != 0) ? half_difference_24 : half_difference_25;  /* F28, |x| <= 4.02 */
+    const int32_t half_difference_27 = clamp_32(half_difference_26, 2, 2147483647);  /* F28, |x| <= 4.02 */
+    const int64_t half_difference_28 = half_difference_22 * INT64_C(4294967296);  /* F60 */
+    const int64_t half_difference_29 = half_difference_28 / half_difference_27;  /* F32, |x| <= 5.39e+08 */
+    const int32_t half_difference_30 = clamp_64_to_32(half_difference_29, INT64_C(-1779404950), INT64_C(1779404950));  /* F32, |x| <= 0.415 */
+    const int64_t half_difference_31 = (int64_t)half_difference_30 * half_difference_30;  /* F64 */
+    const int32_t half_difference_32 = round_31(half_difference_31);  /* F33, |x| <= 0.172 */
+    const int64_t half_difference_33 = (int64_t)510875761 /* 382/6423 */ * half_difference_32;  /* F66 */
+    const int64_t half_difference_34 = INT64_C(7773993415904670242) /* 1650/15661 */ - half_difference_33;  /* F66 */
+    const int32_t half_difference_35 = round_34(half_difference_34);  /* F32, |x| <= 0.106 */
+    const int64_t half_difference_36 = (int64_t)half_difference_32 * half_difference_35;  /* F65 */
+    const int64_t half_difference_37 = half_difference_36 - INT64_C(5251586747234353517) /* 7339/51558 */;  /* F65 */
+    const int32_t half_difference_38 = round_33(half_difference_37);  /* F32, |x| <= 0.143 */
+    const int64_t half_difference_39 = (int64_t)half_difference_32 * half_difference_38;  /* F65 */
+    const int64_t half_difference_40 = INT64_C(7377920055805538292) /* 58828/294171 */ + half_difference_39;  /* F65 */
+    const int32_t half_difference_41 = round_34(half_difference_40);  /* F31, |x| <= 0.2 */
+    const int64_t half_difference_42 = (int64_t)half_difference_32 * half_difference_41;  /* F64 */
+    const int64_t half_difference_43 = half_difference_42 - INT64_C(6148909082171862706) /* 365415/1096246 */;  /* F64 */
+    const int32_t half_difference_44 = round_32(half_difference_43);  /* F32, |x| <= 0.334 */
+    const int64_t half_difference_45 = (int64_t)half_difference_32 * half_difference_44;  /* F65 */
+    const int32_t half_difference_46 = round_30(half_difference_45);  /* F35, |x| <= 0.0573 */
+    const int64_t half_difference_47 = (int64_t)half_difference_30 * half_difference_46;  /* F67 */
+    const int32_t half_difference_48 = round_35(half_difference_47);  /* F32, |x| <= 0.0238 */
+    const int32_t half_difference_49 = half_difference_30 + half_difference_48;  /* F32, |x| <= 0.439 */
+    const int64_t half_difference_50 = INT64_C(3373259426) + half_difference_49;  /* F32 */
+    const int32_t half_difference_51 = round_2(half_difference_50);  /* F30, |x| <= 1.23 */
+    const int32_t half_difference_52 = round_short_2(half_difference_49);  /* F30 */
+    const int32_t half_difference_53 = (half_difference_18 != 0) ? half_difference_51 : half_difference_52;  /* F30, |x| <= 1.23 */
+    const int64_t half_difference_54 = INT64_C(1686629713) - half_difference_53;  /* F30 */
+    const int32_t half_difference_55 = round_1(half_difference_54);  /* F29, |x| <= 2.01 */
+    const int32_t half_difference_56 = round_short_1(half_difference_53);  /* F29 */
+    const int32_t half_difference_57 = (half_difference_11 != 0) ? half_difference_55 : half_difference_56;  /* F29, |x| <= 2.01 */
+    const int64_t half_difference_58 = INT64_C(1686629713) - half_difference_57;  /* F29 */
+    const int32_t half_difference_59 = (int32_t)half_difference_58;  /* F29, |x| <= 3.58 */
+    const int32_t half_difference_60 = (half_difference_8 != 0) ? half_difference_59 : half_difference_57;  /* F29, |x| <= 3.58 */
+    const int32_t half_difference_61 = -half_difference_60;  /* F29, |x| <= 3.58 */
+    const int32_t half_difference = (half_difference_5 != 0) ? half_difference_61 : half_difference_60;  /* F29, |x| <= 3.58 */
+
+    /* pitch = 2 atan(sqrt(up/down)) - pi/2   [zyx] */
+    const int64_t pitch_1 = (int64_t)half_difference_4 * half_difference_4;  /* F58 */
+    const int64_t pitch_3 = (int64_t)half_difference_2 * half_difference_2;  /* F58 */
+    const int64_t pitch_4 = pitch_1 + pitch_3;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_5 = pitch_4 < INT64_C(268435456) /* 1/4294967296 */;
+    const int32_t pitch_6 = clamp_64_to_32(pitch_4, INT64_C(0), INT64_C(268435456));  /* F60, |x| <= 2.33e-10 */
+    const int64_t pitch_7 = pitch_6 * INT64_C(1);  /* F28, |x| <= 1 */
+    const int64_t pitch_8 = pitch_7 * INT64_C(4294967296);  /* F60 */
+    const int64_t pitch_9 = (pitch_5 != 0) ? pitch_8 : pitch_4;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_10 = (pitch_5 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_11 = pitch_9 < INT64_C(17592186044416) /* 1/65536 */;
+    const int64_t pitch_12 = clamp_64(pitch_9, INT64_C(0), INT64_C(17592186044416));  /* F60, |x| <= 1.53e-05 */
+    const int64_t pitch_13 = pitch_12 * INT64_C(1);  /* F44, |x| <= 1 */
+    const int64_t pitch_14 = pitch_13 * INT64_C(65536);  /* F60 */
+    const int64_t pitch_15 = (pitch_11 != 0) ? pitch_14 : pitch_9;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_16 = pitch_10 * 1;  /* F39, |x| <= 0.00196 */
+    const int32_t pitch_17 = round_short_8(pitch_16);  /* F31 */
+    const int32_t pitch_18 = (pitch_11 != 0) ? pitch_17 : pitch_10;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_19 = pitch_15 < INT64_C(4503599627370496) /* 1/256 */;
+    const int64_t pitch_20 = clamp_64(pitch_15, INT64_C(0), INT64_C(4503599627370496));  /* F60, |x| <= 0.00391 */
+    const int64_t pitch_21 = pitch_20 * INT64_C(1);  /* F52, |x| <= 1 */
+    const int64_t pitch_22 = pitch_21 * INT64_C(256);  /* F60 */
+    const int64_t pitch_23 = (pitch_19 != 0) ? pitch_22 : pitch_15;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_24 = pitch_18 * 1;  /* F35, |x| <= 0.0313 */
+    const int32_t pitch_25 = round_short_4(pitch_24);  /* F31 */
+    const int32_t pitch_26 = (pitch_19 != 0) ? pitch_25 : pitch_18;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_27 = pitch_23 < INT64_C(72057594037927936) /* 1/16 */;
+    const int64_t pitch_28 = clamp_64(pitch_23, INT64_C(0), INT64_C(72057594037927936));  /* F60, |x| <= 0.0625 */
+    const int64_t pitch_29 = pitch_28 * INT64_C(1);  /* F56, |x| <= 1 */
+    const int64_t pitch_30 = pitch_29 * INT64_C(16);  /* F60 */
+    const int64_t pitch_31 = (pitch_27 != 0) ? pitch_30 : pitch_23;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_32 = pitch_26 * 1;  /* F33, |x| <= 0.126 */
+    const int32_t pitch_33 = round_short_2(pitch_32);  /* F31 */
+    const int32_t pitch_34 = (pitch_27 != 0) ? pitch_33 : pitch_26;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_35 = pitch_31 < INT64_C(288230376151711744) /* 1/4 */;
+    const int64_t pitch_36 = clamp_64(pitch_31, INT64_C(0), INT64_C(288230376151711744));  /* F60, |x| <= 0.25 */
+    const int64_t pitch_37 = pitch_36 * INT64_C(1);  /* F58, |x| <= 1 */
+    const int64_t pitch_38 = pitch_37 * INT64_C(4);  /* F60 */
+    const int64_t pitch_39 = (pitch_35 != 0) ? pitch_38 : pitch_31;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_40 = pitch_34 * 1;  /* F32, |x| <= 0.251 */
+    const int32_t pitch_41 = round_short_1(pitch_40);  /* F31 */
+    const int32_t pitch_42 = (pitch_35 != 0) ? pitch_41 : pitch_34;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_43 = round_31(pitch_39);  /* F27, |x| <= 8.07 */
+    const int32_t pitch_44 = clamp_32(pitch_43, 134217728, 536870912);  /* F27, |x| <= 4 */
+    const int32_t pitch_45 = clamp_32(pitch_44, 134217728, 536870912);  /* F27, |x| <= 4 */
+    const int64_t pitch_46 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_45;  /* F65 */
+    const int64_t pitch_47 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_46;  /* F65 */
+    const int32_t pitch_48 = round_30(pitch_47);  /* F35, |x| <= 0.0387 */
+    const int64_t pitch_49 = (int64_t)pitch_45 * pitch_48;  /* F62 */
+    const int64_t pitch_50 = pitch_49 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;  /* F62 */
+    const int32_t pitch_51 = round_29(pitch_50);  /* F33, |x| <= 0.226 */
+    const int64_t pitch_52 = (int64_t)pitch_45 * pitch_51;  /* F60 */
+    const int64_t pitch_53 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_52;  /* F60 */
+    const int32_t pitch_54 = round_29(pitch_53);  /* F31, |x| <= 0.725 */
+    const int64_t pitch_55 = (int64_t)pitch_45 * pitch_54;  /* F58 */
+    const int64_t pitch_56 = pitch_55 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;  /* F58 */
+    const int32_t pitch_57 = round_28(pitch_56);  /* F30, |x| <= 1.82 */
+    const int64_t pitch_58 = (int64_t)pitch_45 * pitch_57;  /* F57 */
+    const int64_t pitch_59 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_58;  /* F57 */
+    const int32_t pitch_60 = round_29(pitch_59);  /* F28, |x| <= 7.44 */
+    const int32_t pitch_61 = clamp_32(pitch_60, 67108864, 335544320);  /* F28, |x| <= 1.25 */
+    const int64_t pitch_62 = (int64_t)pitch_61 * pitch_61;  /* F56 */
+    const int32_t pitch_63 = round_26(pitch_62);  /* F30, |x| <= 1.57 */
+    const int64_t pitch_64 = (int64_t)pitch_45 * pitch_63;  /* F57 */
+    const int64_t pitch_65 = INT64_C(144115188075855872) /* 1 */ - pitch_64;  /* F57 */
+    const int32_t pitch_66 = round_29(pitch_65);  /* F28, |x| <= 5.26 */
+    const int64_t pitch_67 = pitch_61 * INT64_C(536870912);  /* F57 */
+    const int64_t pitch_68 = (int64_t)pitch_61 * pitch_66;  /* F56 */
+    const int64_t pitch_69 = pitch_67 + pitch_68;  /* F57 */
+    const int32_t pitch_70 = round_28(pitch_69);  /* F29, |x| <= 3.04 */
+    const int32_t pitch_71 = clamp_32(pitch_70, 134217728, 671088640);  /* F29, |x| <= 1.25 */
+    const int64_t pitch_72 = (int64_t)pitch_71 * pitch_71;  /* F58 */
+    const int32_t pitch_73 = round_28(pitch_72);  /* F30, |x| <= 1.57 */
+    const int64_t pitch_74 = (int64_t)pitch_45 * pitch_73;  /* F57 */
+    const int64_t pitch_75 = INT64_C(144115188075855872) /* 1 */ - pitch_74;  /* F57 */
+    const int32_t pitch_76 = round_29(pitch_75);  /* F28, |x| <= 5.26 */
+    const int64_t pitch_77 = pitch_71 * INT64_C(536870912);  /* F58 */
+    const int64_t pitch_78 = (int64_t)pitch_71 * pitch_76;  /* F57 */
+    const int64_t pitch_79 = pitch_77 + pitch_78;  /* F58 */
+    const int32_t pitch_80 = round_29(pitch_79);  /* F29, |x| <= 3.04 */
+    const int32_t pitch_81 = clamp_32(pitch_80, 134217728, 671088640);  /* F29, |x| <= 1.25 */
+    const int64_t pitch_82 = (int64_t)pitch_44 * pitch_81;  /* F56 */
+    const int32_t pitch_83 = round_28(pitch_82);  /* F28, |x| <= 5.01 */
+    const int64_t pitch_84 = (int64_t)pitch_83 * pitch_42;  /* F59 */
+    const int32_t pitch_85 = round_30(pitch_84);  /* F29, |x| <= 2.51 */
+    const int64_t pitch_86 = (int64_t)half_sum_4 * half_sum_4;  /* F58 */
+    const int64_t pitch_87 = (int64_t)half_sum_2 * half_sum_2;  /* F58 */
+    const int64_t pitch_88 = pitch_86 + pitch_87;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_89 = pitch_88 < INT64_C(268435456) /* 1/4294967296 */;
+    const int32_t pitch_90 = clamp_64_to_32(pitch_88, INT64_C(0), INT64_C(268435456));  /* F60, |x| <= 2.33e-10 */
+    const int64_t pitch_91 = pitch_90 * INT64_C(1);  /* F28, |x| <= 1 */
+    const int64_t pitch_92 = pitch_91 * INT64_C(4294967296);  /* F60 */
+    const int64_t pitch_93 = (pitch_89 != 0) ? pitch_92 : pitch_88;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_94 = (pitch_89 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_95 = pitch_93 < INT64_C(17592186044416) /* 1/65536 */;
+    const int64_t pitch_96 = clamp_64(pitch_93, INT64_C(0), INT64_C(17592186044416));  /* F60, |x| <= 1.53e-05 */
+    const int64_t pitch_97 = pitch_96 * INT64_C(1);  /* F44, |x| <= 1 */
+    const int64_t pitch_98 = pitch_97 * INT64_C(65536);  /* F60 */
+    const int64_t pitch_99 = (pitch_95 != 0) ? pitch_98 : pitch_93;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_100 = pitch_94 * 1;  /* F39, |x| <= 0.00196 */
+    const int32_t pitch_101 = round_short_8(pitch_100);  /* F31 */
+    const int32_t pitch_102 = (pitch_95 != 0) ? pitch_101 : pitch_94;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_103 = pitch_99 < INT64_C(4503599627370496) /* 1/256 */;
+    const int64_t pitch_104 = clamp_64(pitch_99, INT64_C(0), INT64_C(4503599627370496));  /* F60, |x| <= 0.00391 */
+    const int64_t pitch_105 = pitch_104 * INT64_C(1);  /* F52, |x| <= 1 */
+    const int64_t pitch_106 = pitch_105 * INT64_C(256);  /* F60 */
+    const int64_t pitch_107 = (pitch_103 != 0) ? pitch_106 : pitch_99;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_108 = pitch_102 * 1;  /* F35, |x| <= 0.0313 */
+    const int32_t pitch_109 = round_short_4(pitch_108);  /* F31 */
+    const int32_t pitch_110 = (pitch_103 != 0) ? pitch_109 : pitch_102;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_111 = pitch_107 < INT64_C(72057594037927936) /* 1/16 */;
+    const int64_t pitch_112 = clamp_64(pitch_107, INT64_C(0), INT64_C(72057594037927936));  /* F60, |x| <= 0.0625 */
+    const int64_t pitch_113 = pitch_112 * INT64_C(1);  /* F56, |x| <= 1 */
+    const int64_t pitch_114 = pitch_113 * INT64_C(16);  /* F60 */
+    const int64_t pitch_115 = (pitch_111 != 0) ? pitch_114 : pitch_107;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_116 = pitch_110 * 1;  /* F33, |x| <= 0.126 */
+    const int32_t pitch_117 = round_short_2(pitch_116);  /* F31 */
+    const int32_t pitch_118 = (pitch_111 != 0) ? pitch_117 : pitch_110;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_119 = pitch_115 < INT64_C(288230376151711744) /* 1/4 */;
+    const int64_t pitch_120 = clamp_64(pitch_115, INT64_C(0), INT64_C(288230376151711744));  /* F60, |x| <= 0.25 */
+    const int64_t pitch_121 = pitch_120 * INT64_C(1);  /* F58, |x| <= 1 */
+    const int64_t pitch_122 = pitch_121 * INT64_C(4);  /* F60 */
+    const int64_t pitch_123 = (pitch_119 != 0) ? pitch_122 : pitch_115;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_124 = pitch_118 * 1;  /* F32, |x| <= 0.251 */
+    const int32_t pitch_125 = round_short_1(pitch_124);  /* F31 */
+    const int32_t pitch_126 = (pitch_119 != 0) ? pitch_125 : pitch_118;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_127 = round_31(pitch_123);  /* F27, |x| <= 8.07 */
+    const int32_t pitch_128 = clamp_32(pitch_127, 134217728, 536870912);  /* F27, |x| <= 4 */
+    const int32_t pitch_129 = clamp_32(pitch_128, 134217728, 536870912);  /* F27, |x| <= 4 */
+    const int64_t pitch_130 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_129;  /* F65 */
+    const int64_t pitch_131 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_130;  /* F65 */
+    const int32_t pitch_132 = round_30(pitch_131);  /* F35, |x| <= 0.0387 */
+    const int64_t pitch_133 = (int64_t)pitch_129 * pitch_132;  /* F62 */
+    const int64_t pitch_134 = pitch_133 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;  /* F62 */
+    const int32_t pitch_135 = round_29(pitch_134);  /* F33, |x| <= 0.226 */
+    const int64_t pitch_136 = (int64_t)pitch_129 * pitch_135;  /* F60 */
+    const int64_t pitch_137 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_136;  /* F60 */
+    const int32_t pitch_138 = round_29(pitch_137);  /* F31, |x| <= 0.725 */
+    const int64_t pitch_139 = (int64_t)pitch_129 * pitch_138;  /* F58 */
+    const int64_t pitch_140 = pitch_139 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;  /* F58 */
+    const int32_t pitch_141 = round_28(pitch_140);  /* F30, |x| <= 1.82 */
+    const int64_t pitch_142 = (int64_t)pitch_129 * pitch_141;  /* F57 */
+    const int64_t pitch_143 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_142;  /* F57 */
+    const int32_t pitch_144 = round_29(pitch_143);  /* F28, |x| <= 7.44 */
+    const int32_t pitch_145 = clamp_32(pitch_144, 67108864, 335544320);  /* F28, |x| <= 1.25 */
+    const int64_t pitch_146 = (int64_t)pitch_145 * pitch_145;  /* F56 */
+    const int32_t pitch_147 = round_26(pitch_146);  /* F30, |x| <= 1.57 */
+    const int64_t pitch_148 = (int64_t)pitch_129 * pitch_147;  /* F57 */
+    const int64_t pitch_149 = INT64_C(144115188075855872) /* 1 */ - pitch_148;  /* F57 */
+    const int32_t pitch_150 = round_29(pitch_149);  /* F28, |x| <= 5.26 */
+    const int64_t pitch_151 = pitch_145 * INT64_C(536870912);  /* F57 */
+    const int64_t pitch_152 = (int64_t)pitch_145 * pitch_150;  /* F56 */
+    const int64_t pitch_153 = pitch_151 + pitch_152;  /* F57 */
+    const int32_t pitch_154 = round_28(pitch_153);  /* F29, |x| <= 3.04 */
+    const int32_t pitch_155 = clamp_32(pitch_154, 134217728, 671088640);  /* F29, |x| <= 1.25 */
+    const int64_t pitch_156 = (int64_t)pitch_155 * pitch_155;  /* F58 */
+    const int32_t pitch_157 = round_28(pitch_156);  /* F30, |x| <= 1.57 */
+    const int64_t pitch_158 = (int64_t)pitch_129 * pitch_157;  /* F57 */
+    const int64_t pitch_159 = INT64_C(144115188075855872) /* 1 */ - pitch_158;  /* F57 */
+    const int32_t pitch_160 = round_29(pitch_159);  /* F28, |x| <= 5.26 */
+    const int64_t pitch_161 = pitch_155 * INT64_C(536870912);  /* F58 */
+    const int64_t pitch_162 = (int64_t)pitch_155 * pitch_160;  /* F57 */
+    const int64_t pitch_163 = pitch_161 + pitch_162;  /* F58 */
+    const int32_t pitch_164 = round_29(pitch_163);  /* F29, |x| <= 3.04 */
+    const int32_t pitch_165 = clamp_32(pitch_164, 134217728, 671088640);  /* F29, |x| <= 1.25 */
+    const int64_t pitch_166 = (int64_t)pitch_128 * pitch_165;  /* F56 */
+    const int32_t pitch_167 = round_28(pitch_166);  /* F28, |x| <= 5.01 */
+    const int64_t pitch_168 = (int64_t)pitch_167 * pitch_126;  /* F59 */
+    const int32_t pitch_169 = round_30(pitch_168);  /* F29, |x| <= 2.51 */
+    const int32_t pitch_170 = pitch_85 < 0;
+    const int32_t pitch_171 = -pitch_85;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_172 = (pitch_170 != 0) ? pitch_171 : pitch_85;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_173 = pitch_169 < 0;
+    const int32_t pitch_174 = -pitch_169;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_175 = (pitch_173 != 0) ? pitch_174 : pitch_169;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_176 = pitch_175 < pitch_172;
+    const int32_t pitch_177 = (pitch_176 != 0) ? pitch_175 : pitch_172;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_178 = (pitch_176 != 0) ? pitch_172 : pitch_175;  /* F29, |x| <= 2.51 */
+    const int64_t pitch_179 = (int64_t)889516847 /* 10355339/25000000 */ * pitch_178;  /* F60 */
+    const int32_t pitch_180 = round_30(pitch_179);  /* F30, |x| <= 1.04 */
+    const int64_t pitch_181 = pitch_180 * INT64_C(1);  /* F30 */
+    const int64_t pitch_182 = pitch_177 * INT64_C(2);  /* F30 */
+    const int32_t pitch_183 = pitch_181 < pitch_182;
+    const int64_t pitch_184 = (int64_t)pitch_177 - pitch_178;  /* F29 */
+    const int32_t pitch_185 = round_1(pitch_184);  /* F28, |x| <= 5.01 */
+    const int32_t pitch_186 = round_short_1(pitch_177);  /* F28 */
+    const int32_t pitch_187 = (pitch_183 != 0) ? pitch_185 : pitch_186;  /* F28, |x| <= 5.01 */
+    const int64_t pitch_188 = (int64_t)pitch_177 + pitch_178;  /* F29 */
+    const int32_t pitch_189 = round_1(pitch_188);  /* F28, |x| <= 5.01 */
+    const int32_t pitch_190 = round_short_1(pitch_178);  /* F28 */
+    const int32_t pitch_191 = (pitch_183 != 0) ? pitch_189 : pitch_190;  /* F28, |x| <= 5.01 */
+    const int32_t pitch_192 = clamp_32(pitch_191, 2, 2147483647);  /* F28, |x| <= 5.01 */
+    const int64_t pitch_193 = pitch_187 * INT64_C(4294967296);  /* F60 */
+    const int64_t pitch_194 = pitch_193 / pitch_192;  /* F32, |x| <= 6.72e+08 */
+    const int32_t pitch_195 = clamp_64_to_32(pitch_194, INT64_C(-1779404950), INT64_C(1779404950));  /* F32, |x| <= 0.415 */
+    const int64_t pitch_196 = (int64_t)pitch_195 * pitch_195;  /* F64 */
+    const int32_t pitch_197 = round_31(pitch_196);  /* F33, |x| <= 0.172 */
+    const int64_t pitch_198 = (int64_t)510875761 /* 382/6423 */ * pitch_197;  /* F66 */
+    const int64_t pitch_199 = INT64_C(7773993415904670242) /* 1650/15661 */ - pitch_198;  /* F66 */
+    const int32_t pitch_200 = round_34(pitch_199);  /* F32, |x| <= 0.106 */
+    const int64_t pitch_201 = (int64_t)pitch_197 * pitch_200;  /* F65 */
+    const int64_t pitch_202 = pitch_201 - INT64_C(5251586747234353517) /* 7339/51558 */;  /* F65 */
+    const int32_t pitch_203 = round_33(pitch_202);  /* F32, |x| <= 0.143 */
+    const int64_t pitch_204 = (int64_t)pitch_197 * pitch_203;  /* F65 */
+    const int64_t pitch_205 = INT64_C(7377920055805538292) /* 58828/294171 */ + pitch_204;  /* F65 */
+    const int32_t pitch_206 = round_34(pitch_205);  /* F31, |x| <= 0.2 */
+    const int64_t pitch_207 = (int64_t)pitch_197 * pitch_206;  /* F64 */
+    const int64_t pitch_208 = pitch_207 - INT64_C(6148909082171862706) /* 365415/1096246 */;  /* F64 */
+    const int32_t pitch_209 = round_32(pitch_208);  /* F32, |x| <= 0.334 */
+    const int64_t pitch_210 = (int64_t)pitch_197 * pitch_209;  /* F65 */
+    const int32_t pitch_211 = round_30(pitch_210);  /* F35, |x| <= 0.0573 */
+    const int64_t pitch_212 = (int64_t)pitch_195 * pitch_211;  /* F67 */
+    const int32_t pitch_213 = round_35(pitch_212);  /* F32, |x| <= 0.0238 */
+    const int32_t pitch_214 = pitch_195 + pitch_213;  /* F32, |x| <= 0.439 */
+    const int64_t pitch_215 = INT64_C(3373259426) + pitch_214;  /* F32 */
+    const int32_t pitch_216 = round_2(pitch_215);  /* F30, |x| <= 1.23 */
+    const int32_t pitch_217 = round_short_2(pitch_214);  /* F30 */
+    const int32_t pitch_218 = (pitch_183 != 0) ? pitch_216 : pitch_217;  /* F30, |x| <= 1.23 */
+    const int64_t pitch_219 = INT64_C(1686629713) - pitch_218;  /* F30 */
+    const int32_t pitch_220 = round_1(pitch_219);  /* F29, |x| <= 2.01 */
+    const int32_t pitch_221 = round_short_1(pitch_218);  /* F29 */
+    const int32_t pitch_222 = (pitch_176 != 0) ? pitch_220 : pitch_221;  /* F29, |x| <= 2.01 */
+    const int64_t pitch_223 = INT64_C(1686629713) - pitch_222;  /* F29 */
+    const int32_t pitch_224 = (int32_t)pitch_223;  /* F29, |x| <= 3.58 */
+    const int32_t pitch_225 = (pitch_173 != 0) ? pitch_224 : pitch_222;  /* F29, |x| <= 3.58 */
+    const int32_t pitch_226 = -pitch_225;  /* F29, |x| <= 3.58 */
+    const int32_t pitch_227 = (pitch_170 != 0) ? pitch_226 : pitch_225;  /* F29, |x| <= 3.58 */
+    const int64_t pitch_228 = pitch_227 - INT64_C(421657428);  /* F28 */
+    const int32_t pitch_229 = round_1(pitch_228);  /* F27, |x| <= 8.73 */
+    const int32_t pitch = clamp_32(pitch_229, -210829207, 210829207);  /* F27, |x| <= 1.58 */
+
+    /* roll = half_sum - half_difference, in [-pi, pi] */
+    const int64_t roll_1 = (int64_t)half_sum - half_difference;  /* F29 */
+    const int32_t roll_3 = round_1(roll_1);  /* F28, |x| <= 7.16 */
+    const int32_t roll_4 = 843314857 < roll_3;
+    const int64_t roll_5 = roll_3 - INT64_C(1686629713);  /* F28 */
+    const int32_t roll_6 = round_1(roll_5);  /* F27, |x| <= 13.5 */
+    const int32_t roll_7 = round_short_1(roll_3);  /* F27 */
+    const int32_t roll_8 = (roll_4 != 0) ? roll_6 : roll_7;  /* F27, |x| <= 13.5 */
+    const int32_t roll_9 = clamp_32(roll_8, -843316828, 421658414);  /* F27, |x| <= 6.29 */
+    const int32_t roll_10 = roll_9 < -421657428;
+    const int32_t roll_11 = roll_9 + INT64_C(843314857);  /* F27, |x| <= 9.43 */
+    const int32_t roll_12 = (roll_10 != 0) ? roll_11 : roll_9;  /* F27, |x| <= 9.43 */
+    const int32_t roll = clamp_32(roll_12, -421658414, 421658414);  /* F27, |x| <= 3.15 */
+
+    /* yaw = half_sum + half_difference, in [-pi, pi] */
+    const int64_t yaw_1 = (int64_t)half_sum + half_difference;  /* F29 */
+    const int32_t yaw_3 = round_1(yaw_1);  /* F28, |x| <= 7.16 */
+    const int32_t yaw_4 = 843314857 < yaw_3;
+    const int64_t yaw_5 = yaw_3 - INT64_C(1686629713);  /* F28 */
+    const int32_t yaw_6 = round_1(yaw_5);  /* F27, |x| <= 13.5 */
+    const int32_t yaw_7 = round_short_1(yaw_3);  /* F27 */
+    const int32_t yaw_8 = (yaw_4 != 0) ? yaw_6 : yaw_7;  /* F27, |x| <= 13.5 */
+    const int32_t yaw_9 = clamp_32(yaw_8, -843316828, 421658414);  /* F27, |x| <= 6.29 */
+    const int32_t yaw_10 = yaw_9 < -421657428;
+    const int32_t yaw_11 = yaw_9 + INT64_C(843314857);  /* F27, |x| <= 9.43 */
+    const int32_t yaw_12 = (yaw_10 != 0) ? yaw_11 : yaw_9;  /* F27, |x| <= 9.43 */
+    const int32_t yaw = clamp_32(yaw_12, -421658414, 421658414);  /* F27, |x| <= 3.15 */
+
+    const int32_t roll_2 = roll * 4;  /* F29, |x| <= 3.15 */
+    rpy[0] = roll_2;
+    const int32_t pitch_2 = pitch * 4;  /* F29, |x| <= 1.58 */
+    rpy[1] = pitch_2;
+    const int32_t yaw_2 = yaw * 4;  /* F29, |x| <= 3.15 */
+    rpy[2] = yaw_2;
+}
