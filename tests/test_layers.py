@@ -19,8 +19,8 @@ LAYERS: tuple[frozenset[str], ...] = (
     frozenset({"algorithms", "passes", "backends", "targets", "reference"}),
     frozenset(
         {
-            *("admission", "assembly", "bundle", "contract", "pipeline", "printing", "registry", "state_routines"),
-            *("vectors", "verify", "words"),
+            *("admission", "assembly", "bundle", "contract", "cost", "on_avr", "on_board", "on_target", "outcomes"),
+            *("pipeline", "printing", "registry", "state_routines", "stepwise", "vectors", "verify", "words"),
         }
     ),
     frozenset({"studies", "reports"}),
@@ -41,8 +41,8 @@ SEES_ONLY: Mapping[str, frozenset[str]] = {
 """Rooms that see less than their layer: what they may import beside the standard library."""
 
 NEVER_SEES: Mapping[str, frozenset[str]] = {"targets": frozenset({"qcone.ir", "qcone.backends", "qcone.passes"})}
-ONE_DOOR = ("click", "cffi", "jinja2", "pycparser")
-"""Packages that one module alone imports."""
+ONE_DOOR = ("click", "cffi", "jinja2", "pycparser", "unicorn", "capstone", "elftools")
+"""Packages that one module alone imports; the command line, which is one package, counts as one."""
 
 LONGEST = 300
 
@@ -181,8 +181,13 @@ def test_no_modules_import_one_another_in_a_circle() -> None:
 
 @pytest.mark.parametrize("name", ONE_DOOR)
 def test_package_has_one_door(name: str) -> None:
-    doors = sorted({each.place.rpartition(":")[0] for each in imports_of(PACKAGE) if _within(each.module, name)})
+    doors = sorted({_door(each.place) for each in imports_of(PACKAGE) if _within(each.module, name)})
     assert len(doors) == 1, f"{name} is imported by {', '.join(doors) or 'nobody'}"
+
+
+def _door(place: str) -> str:
+    module = place.rpartition(":")[0]
+    return "qcone/cli" if module.startswith("qcone/cli/") else module
 
 
 def test_no_module_holds_two_ideas() -> None:

@@ -6,6 +6,7 @@ on every row (single step), most run on for long (chained).
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -26,7 +27,8 @@ GO_ON, INIT, SET = 0, 1, 2
 LANES = 256
 SINGLE_STEP_LANES = 8
 CHAINED_LANES = 32
-"""Lanes that restart on every row; lanes that never do."""
+SUBNORMAL_ROWS = 8
+"""Lanes that restart on every row; lanes that never do; rows of a chain that are subnormal throughout."""
 
 
 @dataclass(frozen=True)
@@ -46,12 +48,48 @@ class Vectors:
         """Return the number of updates."""
         return int(self.restart.size)
 
+    def first(self, steps: int) -> Vectors:
+        """Return the first rows of every lane."""
+        return Vectors(*(each[:, :steps] for each in (self.restart, self.attitude, self.before, self.inputs)))
+
 
 def draw(bundle: Bundle, rows: int, seed: int = 1) -> Vectors:
     """Return at least `rows` rows of vectors for a design; the same for the same seed."""
     lanes = min(LANES, max(1, rows // 4))
-    steps = -(-rows // lanes)
     generator = np.random.default_rng(seed)
+    shape = lanes, -(-rows // lanes)
+    return _draw(bundle, generator, lambda: _restarts(generator, *shape), shape)
+
+
+def draw_chain(bundle: Bundle, rows: int, seed: int = 1) -> Vectors:
+    """Return one lane that runs on for `rows` rows without a restart, and a tenth as many with restarts after them.
+
+    In the last rows every float is subnormal, +-1/16 of the smallest normal number (2^-130 in float32), the attitude
+    the identity: a sum that is flushed to zero then shows in the attitude.
+    """
+    generator = np.random.default_rng(seed)
+    tail = max(1, rows // 10)
+
+    def restarts() -> NDArray[np.int32]:
+        restart = np.full((1, rows + tail), GO_ON, np.int32)
+        restart[0, 0] = SET
+        restart[0, rows:] = generator.choice([GO_ON, INIT, SET], tail, p=[0.4, 0.2, 0.4])
+        restart[0, -min(tail, SUBNORMAL_ROWS) :] = INIT
+        return restart
+
+    chain = _draw(bundle, generator, restarts, (1, rows + tail))
+    if chain.inputs.dtype.kind == "f":
+        last = chain.inputs[:, -min(tail, SUBNORMAL_ROWS) :]
+        last[:] = np.copysign(np.finfo(last.dtype).tiny / 16, last)
+    return chain
+
+
+def _draw(
+    bundle: Bundle,
+    generator: np.random.Generator,
+    restarts: Callable[[], NDArray[np.int32]],
+    shape: tuple[int, int],
+) -> Vectors:
     block = bundle.machine.routine("update").having(Role.INPUT)[0]
     setting = bundle.machine.routine(bundle.driver.setter).having(Role.INPUT)[0]
     counted = bundle.facts.design.input == "counts"
@@ -59,14 +97,14 @@ def draw(bundle: Bundle, rows: int, seed: int = 1) -> Vectors:
     kind = dtype_of(bundle.facts.number) if block.format is None else np.float64
     samples = known_samples(bundle)
     if samples is None or samples.first is None:
-        inputs = _samples(generator, (lanes, steps, block.count), radius, kind)
-        before = _samples(generator, (lanes, steps), radius, kind)
+        inputs = _samples(generator, (*shape, block.count), radius, kind)
+        before = _samples(generator, shape, radius, kind)
     else:
-        inputs, before = _smooth(generator, (lanes, steps, block.count), samples)
-    inputs = inputs.reshape(lanes, steps, block.size)
-    attitudes = in_form(_attitudes(generator, (lanes, steps)), bundle.driver.setter)
+        inputs, before = _smooth(generator, (*shape, block.count), samples)
+    inputs = inputs.reshape(*shape, block.size)
+    attitudes = in_form(_attitudes(generator, shape), bundle.driver.setter)
     return Vectors(
-        _restarts(generator, lanes, steps),
+        restarts(),
         to_words(bundle, setting.name, attitudes),
         _inside(to_words(bundle, block.name, before), block),
         _beyond(bundle, _inside(to_words(bundle, block.name, inputs, bundle.driver.input_ctype), block), generator),

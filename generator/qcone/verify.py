@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -21,6 +21,7 @@ from qcone.backends.text_counts import count_text
 from qcone.bundle import Bundle, Evidence, VerifiedBundle
 from qcone.errors import CheckError
 from qcone.ir.statement import Program, Role
+from qcone.outcomes import Outcome, describe_first, differing_bits, judged, named
 from qcone.targets.build import CompileError, build_shared
 from qcone.targets.compiler import LEVELS, Compiler, absent, compilers, first_compiler
 from qcone.targets.host import Library
@@ -30,27 +31,6 @@ from qcone.words import TYPES
 
 ACCEPT_ROWS = 2000
 SANITIZED_LEVEL = "-O1"
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """One line of `qcone verify`. `status` is ok, differs, contracted, reports, refused or absent."""
-
-    design: str
-    compiler: str
-    level: str | None = None
-    target: str = "host"
-    rows: int | None = None
-    differing_bits: int | None = None
-    first_difference: str | None = None
-    sanitizer_reports: int | None = None
-    contracted: bool | None = None
-    status: str = "ok"
-
-    @property
-    def failed(self) -> bool:
-        """Tell whether this line is a failure; an absent compiler is not one."""
-        return self.status not in ("ok", "absent")
 
 
 def accept(bundle: Bundle, cc: str | None = None) -> VerifiedBundle:
@@ -148,13 +128,23 @@ def _restart(model: Model, bundle: Bundle, state: State, vectors: Vectors, step:
             state[block][:, chosen] = array
 
 
-def c_words(bundle: Bundle, library: Library, vectors: Vectors) -> tuple[NDArray[Any], bool]:
-    """Run the compiled C on the vectors; return the same words, and whether the build contracts."""
-    words = np.zeros((*vectors.restart.shape, bundle.driver.word_count), TYPES[bundle.driver.word_ctype])
-    contracted = np.zeros(1, np.int32)
-    arrays = [vectors.restart, vectors.attitude, vectors.before, vectors.inputs, words, contracted]
-    library.run(f"{bundle.name}_run", vectors.rows, *arrays)
-    return words, bool(contracted[0])
+def c_words(bundle: Bundle, library: Library, vectors: Vectors) -> tuple[NDArray[Any], int]:
+    """Run the compiled C on the vectors; return the same words, and what the probe says of the build."""
+    arrays = run_arrays(bundle, vectors)
+    library.run(f"{bundle.name}_run", vectors.rows, *arrays.values())
+    return arrays["words"], int(arrays["probed"][0])
+
+
+def run_arrays(bundle: Bundle, vectors: Vectors) -> dict[str, NDArray[Any]]:
+    """Return what the batch loop takes after the number of rows, in order; it writes the last two."""
+    return {
+        "restart": vectors.restart,
+        "attitude": vectors.attitude,
+        "before": vectors.before,
+        "input": vectors.inputs,
+        "words": np.zeros((*vectors.restart.shape, bundle.driver.word_count), TYPES[bundle.driver.word_ctype]),
+        "probed": np.zeros(1, np.int32),
+    }
 
 
 def declaration(bundle: Bundle) -> str:
@@ -180,64 +170,8 @@ def _compare(
     vectors: Vectors,
     expected: NDArray[Any],
 ) -> Outcome:
-    words, contracted = c_words(bundle, open_library(bundle, compiler, level, cflags), vectors)
-    differing = differing_bits(words, expected)
-    first = describe_first(bundle, vectors, words, expected) if differing else None
-    if contracted:
-        first = f"the build fuses products and sums: compile with -ffp-contract=off{'; ' + first if first else ''}"
-    status = "contracted" if contracted else "differs" if differing else "ok"
-    return Outcome(
-        bundle.name, _named(compiler), level, "host", vectors.rows, differing, first, None, contracted, status
-    )
-
-
-def _named(compiler: Compiler) -> str:
-    return f"{compiler.name} {compiler.version}".strip()
-
-
-def differing_bits(words: NDArray[Any], expected: NDArray[Any]) -> int:
-    """Count the bits in which two arrays of the same type differ."""
-    return int(np.bitwise_count(_difference(words, expected)).sum())
-
-
-def _difference(words: NDArray[Any], expected: NDArray[Any]) -> NDArray[Any]:
-    """Return the words' bits that differ; sign and payload of a NaN are unspecified, so two NaN are the same."""
-    kind = np.uint32 if words.dtype == np.float32 else np.uint64
-    difference: NDArray[Any] = words.view(kind) ^ expected.view(kind)
-    difference[np.isnan(words) & np.isnan(expected)] = 0
-    return difference
-
-
-PARTS = {3: ("roll", "pitch", "yaw"), 4: tuple("wxyz"), 9: tuple(f"{row}{column}" for row in "123" for column in "123")}
-"""What the words of an output are, by their number."""
-
-
-def word_names(bundle: Bundle) -> list[str]:
-    """Return what each word of a row is."""
-    cast = f"({bundle.driver.word_ctype})"
-    names = [word.replace(cast, "").removeprefix("state.") for word in bundle.driver.state_words]
-    return names + [f"{name} {part}" for name, size in bundle.driver.outputs for part in PARTS[size]]
-
-
-def describe_first(bundle: Bundle, vectors: Vectors, words: NDArray[Any], expected: NDArray[Any]) -> str:
-    """Say where C and model differ first, with the operands of that update."""
-    different = _difference(words, expected) != 0
-    lanes, steps = np.nonzero(different.any(axis=2))
-    at = int(np.argmin(steps))
-    lane, step = int(lanes[at]), int(steps[at])
-    word = int(np.argmax(different[lane, step]))
-    state: Sequence[float] = list(expected[lane, step - 1, : len(bundle.driver.state_words)]) if step else []
-    operands = ", ".join(map(_shown, vectors.inputs[lane, step]))
-    before = ", ".join(map(_shown, state))
-    return (
-        f"lane {lane}, step {step}, {word_names(bundle)[word]}: C {_shown(words[lane, step, word])}, model "
-        f"{_shown(expected[lane, step, word])}; input {operands}; state before {before or 'a restart'}"
-    )
-
-
-def _shown(word: Any) -> str:
-    """Return a word as it is compared: the bits of a float, the raw integer of fixed point."""
-    return str(int(word)) if isinstance(word, np.integer) else float(word).hex()
+    words, probed = c_words(bundle, open_library(bundle, compiler, level, cflags), vectors)
+    return judged(Outcome(bundle.name, named(compiler), level), bundle, vectors, words, expected, probed)
 
 
 def _sanitized(
@@ -253,7 +187,7 @@ def _sanitized(
             vectors.inputs,
         )
     )
-    done = Outcome(bundle.name, _named(compiler), SANITIZED_LEVEL, "host", vectors.rows)
+    done = Outcome(bundle.name, named(compiler), SANITIZED_LEVEL, "host", vectors.rows)
     try:
         report = run_sanitized(compiler, bundle.sources, SANITIZED_LEVEL, bundle.main, data, cflags)
     except CompileError as error:

@@ -260,9 +260,6 @@ OPTIONS = {
     ("generate", "absent.toml"): "cannot read design file absent.toml: No such file or directory\n",
     ("verify", "good.toml", "--target", "hst"): "--target hst: unknown target; did you mean 'host'?\n",
     ("verify", "good.toml", "--target", "cortex-m5"): "--target cortex-m5: unknown target; did you mean 'cortex-m4'?\n",
-    ("verify", "good.toml", "--target", "cortex-m4f"): (
-        "--target cortex-m4f: not available in this version; choose host\n"
-    ),
     ("verify", "good.toml", "--target", "abacus"): (
         "--target abacus: unknown target; the targets are: host, cortex-m0, cortex-m0plus, cortex-m3, cortex-m4, "
         "cortex-m4f, cortex-m7f, cortex-m33f, rv32imc, rv32imfc, powerpc\n"

@@ -95,3 +95,13 @@ def driver(made: Driver, page: Page) -> str:
 def vectors_main(made: Driver) -> str:
     """Return a main program that runs the batch loop on a file of vectors: for sanitizers."""
     return render("c/main.c.j2", driver=made)
+
+
+def board_main(made: Driver) -> str:
+    """Return a main program that runs the batch loop's rows on a bare Cortex-M, by semihosting."""
+    return render("c/board.c.j2", driver=made)
+
+
+def avr_main(made: Driver) -> str:
+    """Return a main program that runs rows kept in flash on an ATmega328P and writes their words to its serial port."""
+    return render("c/avr.c.j2", driver=made)

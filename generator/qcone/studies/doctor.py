@@ -7,6 +7,7 @@ import platform
 import sys
 
 from qcone import __version__
+from qcone.targets import avr, qemu
 from qcone.targets.compiler import absent, compilers
 from qcone.targets.probe import has_fma
 from qcone.targets.sanitize import available_sanitizers
@@ -14,7 +15,7 @@ from qcone.targets.sanitize import available_sanitizers
 Row = dict[str, object]
 
 PACKAGES = ("numpy", "cffi", "jinja2", "click", "rich", "pydantic", "pycparser")
-EXTRAS = {"ziglang": "compiler"}
+EXTRAS = {"ziglang": "compiler", "unicorn": "target", "capstone": "target", "pyelftools": "target"}
 
 
 def rows() -> list[Row]:
@@ -36,6 +37,8 @@ def rows() -> list[Row]:
     for family in absent():
         fix = "pip install 'qcone[compiler]'" if family == "clang" else "apt install gcc"
         found.append(_row(f"compiler family {family}", None, fix, required=not usable))
+    found.append(_row(qemu.PROGRAM, qemu.version(), qemu.FIX, False))
+    found.append(_row(f"{avr.SIMULATOR} and {avr.COMPILER}", "installed" if avr.present() else None, avr.FIX, False))
     found.append(
         _row(
             "fused multiply-add in this CPU",

@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from qcone import verify
+from qcone import outcomes, verify
 from qcone.bundle import Bundle
 from qcone.errors import CheckError, UsageError
 from qcone.ir.statement import Role
 from qcone.studies.recording import Recording, Updates, split_updates
 from qcone.targets.compiler import first_compiler
+from qcone.targets.probe import CONTRACTED, SLP_CONTRACTED
 from qcone.vectors import GO_ON, SET, Vectors, in_form, in_words
 from qcone.words import from_words
 
@@ -57,9 +58,9 @@ def replay(
     updates = split_updates(recording, bundle.facts.algorithm.subsamples)
     vectors = _vectors(bundle, updates, initial)
     library = verify.open_library(bundle, first_compiler(cc), LEVEL)
-    words, contracted = verify.c_words(bundle, library, vectors)
+    words, probed = verify.c_words(bundle, library, vectors)
     notes = [*updates.notes]
-    if contracted:
+    if probed & (CONTRACTED | SLP_CONTRACTED):
         notes.append("this build fuses products and sums: its bits are not the model's")
     if held := bundle.facts.algorithm.held:
         missing = "" if len(updates.values) > held else ", more than the recording makes: it has no attitude of its own"
@@ -74,9 +75,9 @@ def replay(
         )
     if compare:
         expected = verify.model_words(bundle, vectors)
-        differing = verify.differing_bits(words, expected)
+        differing = outcomes.differing_bits(words, expected)
         if differing:
-            raise CheckError(f"{differing} bits differ: {verify.describe_first(bundle, vectors, words, expected)}")
+            raise CheckError(f"{differing} bits differ: {outcomes.describe_first(bundle, vectors, words, expected)}")
         notes.append(f"0 differing bits against the bit-true model in {vectors.rows} updates")
     outputs = {name: each[0] for name, each in outputs_of(bundle, words).items()}
     return Replay(updates.time_s, outputs["quaternion"], tuple(notes), outputs)

@@ -77,6 +77,11 @@ def compile_object(
     return _cached(compiler, files, ("-c", *flags(compiler), level, *target_flags, *extra), ".o")
 
 
+def build_image(compiler: Compiler, files: Mapping[str, str], chosen: Sequence[str]) -> Path:
+    """Compile and link every .c of `files` with exactly the `chosen` flags; CompileError as above."""
+    return _cached(compiler, files, chosen, ".elf")
+
+
 def warnings(compiler: Compiler, files: Mapping[str, str], level: str = "-O2", extra: Sequence[str] = ()) -> str:
     """Return what `compiler` says of each .c of `files` under WARNING_FLAGS; empty when it says nothing."""
     said = []

@@ -46,7 +46,7 @@ class Compiler:
 
     `name` is what reports call it: gcc, clang, cc, zig, or the base name of the program in `$CC` or `--cc`.
     `command` starts it; `family` is gcc, clang (zig too), tcc or unknown; `version` is the number it states.
-    `identity` is all it says of itself and its machine: two compilers with one identity are one program.
+    `identity` is all it says of itself and its `machine`: two compilers with one identity are one program.
     """
 
     name: str
@@ -54,6 +54,7 @@ class Compiler:
     family: str
     version: str
     identity: str = field(default="", repr=False)
+    machine: str = field(default="", repr=False)
 
 
 def compilers(cc: str | None = None) -> tuple[Compiler, ...]:
@@ -155,7 +156,7 @@ def _asked(name: str, command: tuple[str, ...]) -> Compiler | None:
     if name == "zig" and importlib.util.find_spec("ziglang") is not None:
         version += f" (ziglang {importlib.metadata.version('ziglang')})"
     options = " ".join(word for word in command[1:] if word.startswith("-") and word != "-m")
-    return Compiler(name, (program, *command[1:]), family, version, f"{family} {text} {machine} {options}")
+    return Compiler(name, (program, *command[1:]), family, version, f"{family} {text} {machine} {options}", machine)
 
 
 @functools.cache

@@ -1,8 +1,9 @@
-"""Report fused arithmetic: a C function that tells whether the build it stands in contracts a*b + c.
+"""Report fused and flushed arithmetic: a C function that tells whether the build it stands in contracts a*b + c.
 
 A fused multiply-add skips the rounding of the product, so the bits are no longer those of the written
 operations. The probe multiplies numbers whose product is one rounding away from a known value and subtracts
-that value: what remains is 0 when the product was rounded, and the lost bits when it was not.
+that value: what remains is 0 when the product was rounded, and the lost bits when it was not. And half of the
+smallest normal number is 0 where an FPU takes subnormal numbers for zero, which no compiler flag shows.
 """
 
 from __future__ import annotations
@@ -18,6 +19,9 @@ CONTRACTED = 1
 
 SLP_CONTRACTED = 2
 """Bit 1 of the probe: neighbouring subtract and add lanes were fused (gcc's SLP vectoriser)."""
+
+FLUSHED = 4
+"""Bit 2 of the probe: subnormal results are zero."""
 
 # (1 + e)^2 = 1 + 2e + e^2 with e^2 a quarter of an ulp: rounding drops e^2, fusing does not.
 # Every form reads its own operands: a compiler does not fuse a product that has another use.
@@ -45,6 +49,15 @@ static int probe_REAL_plain(void)
     const REAL backward = d * d;
     const REAL reversed = e - backward;
     return probe_REAL_left(expression) || probe_REAL_left(subtracted) || probe_REAL_left(reversed);
+}
+
+/* The smallest normal number; half of it is not zero. */
+static volatile REAL probe_REAL_smallest = SMALLEST;
+
+static int probe_REAL_flushed(void)
+{
+    const volatile REAL halved = probe_REAL_smallest * HALF;
+    return !(halved > ZERO);
 }
 
 """
@@ -95,27 +108,39 @@ static int probe_paired(void)
     return narrow || probe_double_left(w[0]) || probe_double_left(w[1]);
 }
 
-/* Tells whether this build fuses products with sums: bit 0 = alone, bit 1 = in neighbouring lanes. */
+/* Tells whether this build fuses products with sums: bit 0 = alone, bit 1 = in neighbouring lanes; and, bit 2,
+ * whether it takes subnormal numbers for zero.
+ */
 int NAME(void)
 {
-    return ((probe_float_plain() || probe_double_plain()) ? 1 : 0) | (probe_paired() ? 2 : 0);
+    const int fused = ((probe_float_plain() || probe_double_plain()) ? 1 : 0) | (probe_paired() ? 2 : 0);
+    return fused | ((probe_float_flushed() || probe_double_flushed()) ? 4 : 0);
 }
 """
 
 _TYPES = (
-    ("float", "13", "1.0001220703125F", "1.000244140625F", "0.0F"),
-    ("double", "27", "1.000000007450580596923828125", "1.00000001490116119384765625", "0.0"),
+    ("float", "13", "1.0001220703125F", "1.000244140625F", "0.0F", "0.5F", "1.17549435e-38F"),
+    (
+        "double",
+        "27",
+        "1.000000007450580596923828125",
+        "1.00000001490116119384765625",
+        "0.0",
+        "0.5",
+        "2.2250738585072014e-308",
+    ),
 )
 
 
 def contraction_probe(name: str) -> str:
-    """Return C99 text that defines `int <name>(void)`: CONTRACTED and SLP_CONTRACTED as a bit mask, 0 = none.
+    """Return C99 text that defines `int <name>(void)`: CONTRACTED, SLP_CONTRACTED and FLUSHED as a bit mask, 0 = none.
 
     Compile it in the same build, with the same flags, as the code it is to speak for.
     """
     text = "int NAME(void);\n\n"
-    for real, bits, factor, product, zero in _TYPES:
+    for real, bits, factor, product, zero, half, smallest in _TYPES:
         plain = _PLAIN.replace("REAL", real).replace("BITS", bits).replace("ZERO", zero)
+        plain = plain.replace("HALF", half).replace("SMALLEST", smallest)
         text += plain.replace("FACTOR", factor).replace("PRODUCT", product)
     return (text + _PAIRED).replace("NAME", name)
 
