@@ -70,13 +70,6 @@ static inline int32_t round_2(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_10(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
 /* x / 2^21, rounded to nearest, halves up; the result fits 32 bits. */
 static inline int32_t round_21(int64_t x)
 {
@@ -132,6 +125,12 @@ static inline int32_t round_short_1(int32_t x)
     return shift_right_32(x + 1, 1);
 }
 
+/* x / 2^10, rounded to nearest, halves up. */
+static inline int32_t round_short_10(int32_t x)
+{
+    return shift_right_32(x + 512, 10);
+}
+
 void dcm_taylor_3_10_fixed32_init(dcm_taylor_3_10_fixed32_state *state)
 {
     state->c[0] = 1073741824 /* 1 */;
@@ -184,19 +183,16 @@ void dcm_taylor_3_10_fixed32_set_dcm(dcm_taylor_3_10_fixed32_state *state, const
     /* a_next = a + e_a a */
     const int64_t a_next_x_part_1 = (int64_t)e_a * c_nb_11;  /* F70 */
     const int32_t a_next_x_part = round_30(a_next_x_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t a_next_x_1 = c_nb_11 * INT64_C(1024);  /* F40 */
-    const int64_t a_next_x_2 = a_next_x_1 + a_next_x_part;  /* F40 */
-    const int32_t a_next_x = round_10(a_next_x_2);  /* F30, |x| <= 1.01 */
+    const int32_t a_next_x_fine = round_short_10(a_next_x_part);  /* F30 */
+    const int32_t a_next_x = a_next_x_fine + c_nb_11;  /* F30, |x| <= 1.01 */
     const int64_t a_next_y_part_1 = (int64_t)e_a * c_nb_12;  /* F70 */
     const int32_t a_next_y_part = round_30(a_next_y_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t a_next_y_1 = c_nb_12 * INT64_C(1024);  /* F40 */
-    const int64_t a_next_y_2 = a_next_y_1 + a_next_y_part;  /* F40 */
-    const int32_t a_next_y = round_10(a_next_y_2);  /* F30, |x| <= 1.01 */
+    const int32_t a_next_y_fine = round_short_10(a_next_y_part);  /* F30 */
+    const int32_t a_next_y = a_next_y_fine + c_nb_12;  /* F30, |x| <= 1.01 */
     const int64_t a_next_z_part_1 = (int64_t)e_a * c_nb_13;  /* F70 */
     const int32_t a_next_z_part = round_30(a_next_z_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t a_next_z_1 = c_nb_13 * INT64_C(1024);  /* F40 */
-    const int64_t a_next_z_2 = a_next_z_1 + a_next_z_part;  /* F40 */
-    const int32_t a_next_z = round_10(a_next_z_2);  /* F30, |x| <= 1.01 */
+    const int32_t a_next_z_fine = round_short_10(a_next_z_part);  /* F30 */
+    const int32_t a_next_z = a_next_z_fine + c_nb_13;  /* F30, |x| <= 1.01 */
 
     /* b_next = b + e_b b - e_ab a */
     const int64_t b_next_x_part_1 = (int64_t)e_b * c_nb_21;  /* F62 */

@@ -39,17 +39,16 @@
 #endif
 
 
+/* x / 2^bits, rounded down, 0 <= bits < 32. */
+static inline int32_t shift_right_32(int32_t x, int bits)
+{
+    return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
 /* x / 2^bits, rounded down, 0 <= bits < 64. */
 static inline int64_t shift_right_64(int64_t x, int bits)
 {
     return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
-}
-
-/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_10(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
 /* x / 2^21, rounded to nearest, halves up; the result fits 32 bits. */
@@ -93,6 +92,12 @@ static inline int32_t round_37(int64_t x)
     return (int32_t)shift_right_64(x + INT64_C(68719476736), 37);
 }
 
+/* x / 2^10, rounded to nearest, halves up. */
+static inline int32_t round_short_10(int32_t x)
+{
+    return shift_right_32(x + 512, 10);
+}
+
 void picard_1_4_fixed32_init(picard_1_4_fixed32_state *state)
 {
     state->q[0] = 1073741824 /* 1 */;
@@ -123,24 +128,20 @@ void picard_1_4_fixed32_set_quaternion(picard_1_4_fixed32_state *state, const in
     /* q_next = q + e q */
     const int64_t q_next_w_part_1 = (int64_t)e * q_nb_w;  /* F70 */
     const int32_t q_next_w_part = round_30(q_next_w_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_w_1 = q_nb_w * INT64_C(1024);  /* F40 */
-    const int64_t q_next_w_2 = q_next_w_1 + q_next_w_part;  /* F40 */
-    const int32_t q_next_w = round_10(q_next_w_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_w_fine = round_short_10(q_next_w_part);  /* F30 */
+    const int32_t q_next_w = q_next_w_fine + q_nb_w;  /* F30, |x| <= 1.01 */
     const int64_t q_next_x_part_1 = (int64_t)e * q_nb_x;  /* F70 */
     const int32_t q_next_x_part = round_30(q_next_x_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_x_1 = q_nb_x * INT64_C(1024);  /* F40 */
-    const int64_t q_next_x_2 = q_next_x_1 + q_next_x_part;  /* F40 */
-    const int32_t q_next_x = round_10(q_next_x_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_x_fine = round_short_10(q_next_x_part);  /* F30 */
+    const int32_t q_next_x = q_next_x_fine + q_nb_x;  /* F30, |x| <= 1.01 */
     const int64_t q_next_y_part_1 = (int64_t)e * q_nb_y;  /* F70 */
     const int32_t q_next_y_part = round_30(q_next_y_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_y_1 = q_nb_y * INT64_C(1024);  /* F40 */
-    const int64_t q_next_y_2 = q_next_y_1 + q_next_y_part;  /* F40 */
-    const int32_t q_next_y = round_10(q_next_y_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_y_fine = round_short_10(q_next_y_part);  /* F30 */
+    const int32_t q_next_y = q_next_y_fine + q_nb_y;  /* F30, |x| <= 1.01 */
     const int64_t q_next_z_part_1 = (int64_t)e * q_nb_z;  /* F70 */
     const int32_t q_next_z_part = round_30(q_next_z_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_z_1 = q_nb_z * INT64_C(1024);  /* F40 */
-    const int64_t q_next_z_2 = q_next_z_1 + q_next_z_part;  /* F40 */
-    const int32_t q_next_z = round_10(q_next_z_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_z_fine = round_short_10(q_next_z_part);  /* F30 */
+    const int32_t q_next_z = q_next_z_fine + q_nb_z;  /* F30, |x| <= 1.01 */
 
     /* store */
     state->q[0] = q_next_w;

@@ -25,7 +25,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written      416       0  260       169       0       0     0     0     0       0      0
  * update shared          268      16  185       145       0       0     0     0     0       0      0
- * update emitted         256       0  148       138      10       0     0     0     0       0    271
+ * update emitted         256       0  148       138      10       0     0     0     0       0    267
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -40,10 +40,29 @@
 #endif
 
 
+/* The word of 32 bits with these bits. */
+static inline int32_t wrapped_32(uint32_t bits)
+{
+    return (bits <= (uint32_t)2147483647) ? (int32_t)bits : (-(int32_t)(~bits) - 1);
+}
+
+/* x / 2^bits, rounded down, 0 <= bits < 32. */
+static inline int32_t shift_right_32(int32_t x, int bits)
+{
+    return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
 /* x / 2^bits, rounded down, 0 <= bits < 64. */
 static inline int64_t shift_right_64(int64_t x, int bits)
 {
     return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
+/* whole - 2^6 rounded; the result fits 32 bits. */
+static inline int32_t left_of_6(int64_t whole, int32_t rounded)
+{
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 6);
+    return wrapped_32(left);
 }
 
 /* x / 2^2, rounded to nearest, halves up; the result fits 32 bits. */
@@ -64,13 +83,6 @@ static inline int32_t round_4(int64_t x)
 static inline int32_t round_6(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(32)) >> 6);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^9, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_9(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(256)) >> 9);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -133,6 +145,12 @@ static inline int32_t round_33(int64_t x)
 static inline int32_t round_34(int64_t x)
 {
     return (int32_t)shift_right_64(x + INT64_C(8589934592), 34);
+}
+
+/* x / 2^9, rounded to nearest, halves up. */
+static inline int32_t round_short_9(int32_t x)
+{
+    return shift_right_32(x + 256, 9);
 }
 
 /* x / 2^4, rounded to nearest, halves up. */
@@ -960,9 +978,7 @@ void quaternion_taylor_3_8_midpoint_fixed32_compensated_update(
     const int32_t v_x_carried = state->residual[0];  /* F40 */
     const int64_t v_x_whole = v_x_whole_4 + v_x_carried;  /* F40 */
     const int32_t v_x = round_6(v_x_whole);  /* F34, |x| <= 0.0627 */
-    const int64_t v_x_left_1 = v_x * INT64_C(64);  /* F40 */
-    const int64_t v_x_left = v_x_whole - v_x_left_1;  /* F40 */
-    const int32_t v_x_left_over = (int32_t)v_x_left;  /* F40 */
+    const int32_t v_x_left = left_of_6(v_x_whole, v_x);  /* F40 */
     const int64_t v_y_part_part_1 = (int64_t)v_x_part_part_26 * v_x_part_15;  /* F76 */
     const int64_t v_y_part_part_2 = (int64_t)v_x_part_30 * v_x_part_part_13;  /* F75 */
     const int64_t v_y_part_part_3 = v_y_part_part_2 * INT64_C(2);  /* F76 */
@@ -981,9 +997,7 @@ void quaternion_taylor_3_8_midpoint_fixed32_compensated_update(
     const int32_t v_y_carried = state->residual[1];  /* F40 */
     const int64_t v_y_whole = v_y_whole_4 + v_y_carried;  /* F40 */
     const int32_t v_y = round_6(v_y_whole);  /* F34, |x| <= 0.0627 */
-    const int64_t v_y_left_1 = v_y * INT64_C(64);  /* F40 */
-    const int64_t v_y_left = v_y_whole - v_y_left_1;  /* F40 */
-    const int32_t v_y_left_over = (int32_t)v_y_left;  /* F40 */
+    const int32_t v_y_left = left_of_6(v_y_whole, v_y);  /* F40 */
     const int64_t v_z_part_part_1 = (int64_t)v_x_part_part_26 * v_x_part_45;  /* F76 */
     const int64_t v_z_part_part_2 = (int64_t)v_x_part_60 * v_x_part_part_13;  /* F75 */
     const int64_t v_z_part_part_3 = v_z_part_part_2 * INT64_C(2);  /* F76 */
@@ -1002,9 +1016,7 @@ void quaternion_taylor_3_8_midpoint_fixed32_compensated_update(
     const int32_t v_z_carried = state->residual[2];  /* F40 */
     const int64_t v_z_whole = v_z_whole_4 + v_z_carried;  /* F40 */
     const int32_t v_z = round_6(v_z_whole);  /* F34, |x| <= 0.0627 */
-    const int64_t v_z_left_1 = v_z * INT64_C(64);  /* F40 */
-    const int64_t v_z_left = v_z_whole - v_z_left_1;  /* F40 */
-    const int32_t v_z_left_over = (int32_t)v_z_left;  /* F40 */
+    const int32_t v_z_left = left_of_6(v_z_whole, v_z);  /* F40 */
 
     /* u = scalar part of r - 1   [r = (E - O)* (x) (E + O)] */
     const int64_t u_part_part_1 = (int64_t)v_x_part_part_26 * v_x_part_part_13;  /* F80 */
@@ -1015,9 +1027,8 @@ void quaternion_taylor_3_8_midpoint_fixed32_compensated_update(
     const int64_t u_part_part_2_4 = (int64_t)v_x_part_60 * v_x_part_45;  /* F71 */
     const int64_t u_part_part_2_5 = u_part_part_2_3 + u_part_part_2_4;  /* F71 */
     const int32_t u_part_part_2 = round_32(u_part_part_2_5);  /* F39, |x| <= 0.00277 */
-    const int64_t u_part_1 = u_part_part_2 * INT64_C(512);  /* F48 */
-    const int64_t u_part_2 = u_part_part + u_part_1;  /* F48 */
-    const int32_t u_part = round_9(u_part_2);  /* F39, |x| <= 0.00277 */
+    const int32_t u_part_fine = round_short_9(u_part_part);  /* F39 */
+    const int32_t u_part = u_part_fine + u_part_part_2;  /* F39, |x| <= 0.00277 */
     const int64_t u_1 = (int64_t)v_x_part_part_26 + v_x_part_part_13;  /* F40 */
     const int64_t u_2 = u_part * INT64_C(2);  /* F40 */
     const int64_t u_3 = u_1 + u_2;  /* F40 */
@@ -1107,9 +1118,9 @@ void quaternion_taylor_3_8_midpoint_fixed32_compensated_update(
     state->q[3] = q_next_z;
 
     /* carry the roundings to the next update */
-    state->residual[0] = v_x_left_over;
-    state->residual[1] = v_y_left_over;
-    state->residual[2] = v_z_left_over;
+    state->residual[0] = v_x_left;
+    state->residual[1] = v_y_left;
+    state->residual[2] = v_z_left;
 }
 
 void quaternion_taylor_3_8_midpoint_fixed32_compensated_quaternion(

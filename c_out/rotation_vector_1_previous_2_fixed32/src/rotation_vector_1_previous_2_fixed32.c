@@ -25,10 +25,10 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * start_up as-written      33       0   20         7       0       0     0     0     0       0      0
  * start_up shared         29       4   20         7       0       0     0     0     0       0      0
- * start_up emitted        29       0   16        11       1       0     0     0     0       0     31
+ * start_up emitted        29       0   16        11       1       0     0     0     0       0     19
  * steady as-written       45       0   26        10       0       0     0     0     0       0      0
  * steady shared           41       4   26        10       0       0     0     0     0       0      0
- * steady emitted          41       0   19        17       1       0     0     0     0       0     40
+ * steady emitted          41       0   19        17       1       0     0     0     0       0     25
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -43,31 +43,16 @@
 #endif
 
 
+/* x / 2^bits, rounded down, 0 <= bits < 32. */
+static inline int32_t shift_right_32(int32_t x, int bits)
+{
+    return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
 /* x / 2^bits, rounded down, 0 <= bits < 64. */
 static inline int64_t shift_right_64(int64_t x, int bits)
 {
     return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
-}
-
-/* x / 2^8, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_8(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(128)) >> 8);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_10(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^11, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_11(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1024)) >> 11);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
 /* x / 2^21, rounded to nearest, halves up; the result fits 32 bits. */
@@ -77,10 +62,10 @@ static inline int32_t round_21(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^22, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_22(int64_t x)
+/* x / 2^24, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_24(int64_t x)
 {
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(2097152)) >> 22);
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(8388608)) >> 24);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -104,10 +89,28 @@ static inline int32_t round_36(int64_t x)
     return (int32_t)shift_right_64(x + INT64_C(34359738368), 36);
 }
 
-/* x / 2^39, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_39(int64_t x)
+/* x / 2^37, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_37(int64_t x)
 {
-    return (int32_t)shift_right_64(x + INT64_C(274877906944), 39);
+    return (int32_t)shift_right_64(x + INT64_C(68719476736), 37);
+}
+
+/* x / 2^8, rounded to nearest, halves up. */
+static inline int32_t round_short_8(int32_t x)
+{
+    return shift_right_32(x + 128, 8);
+}
+
+/* x / 2^10, rounded to nearest, halves up. */
+static inline int32_t round_short_10(int32_t x)
+{
+    return shift_right_32(x + 512, 10);
+}
+
+/* x / 2^11, rounded to nearest, halves up. */
+static inline int32_t round_short_11(int32_t x)
+{
+    return shift_right_32(x + 1024, 11);
 }
 
 void rotation_vector_1_previous_2_fixed32_init(rotation_vector_1_previous_2_fixed32_state *state)
@@ -148,24 +151,20 @@ void rotation_vector_1_previous_2_fixed32_set_quaternion(
     /* q_next = q + e q */
     const int64_t q_next_w_part_1 = (int64_t)e * q_nb_w;  /* F70 */
     const int32_t q_next_w_part = round_30(q_next_w_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_w_1 = q_nb_w * INT64_C(1024);  /* F40 */
-    const int64_t q_next_w_2 = q_next_w_1 + q_next_w_part;  /* F40 */
-    const int32_t q_next_w = round_10(q_next_w_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_w_fine = round_short_10(q_next_w_part);  /* F30 */
+    const int32_t q_next_w = q_next_w_fine + q_nb_w;  /* F30, |x| <= 1.01 */
     const int64_t q_next_x_part_1 = (int64_t)e * q_nb_x;  /* F70 */
     const int32_t q_next_x_part = round_30(q_next_x_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_x_1 = q_nb_x * INT64_C(1024);  /* F40 */
-    const int64_t q_next_x_2 = q_next_x_1 + q_next_x_part;  /* F40 */
-    const int32_t q_next_x = round_10(q_next_x_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_x_fine = round_short_10(q_next_x_part);  /* F30 */
+    const int32_t q_next_x = q_next_x_fine + q_nb_x;  /* F30, |x| <= 1.01 */
     const int64_t q_next_y_part_1 = (int64_t)e * q_nb_y;  /* F70 */
     const int32_t q_next_y_part = round_30(q_next_y_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_y_1 = q_nb_y * INT64_C(1024);  /* F40 */
-    const int64_t q_next_y_2 = q_next_y_1 + q_next_y_part;  /* F40 */
-    const int32_t q_next_y = round_10(q_next_y_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_y_fine = round_short_10(q_next_y_part);  /* F30 */
+    const int32_t q_next_y = q_next_y_fine + q_nb_y;  /* F30, |x| <= 1.01 */
     const int64_t q_next_z_part_1 = (int64_t)e * q_nb_z;  /* F70 */
     const int32_t q_next_z_part = round_30(q_next_z_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_z_1 = q_nb_z * INT64_C(1024);  /* F40 */
-    const int64_t q_next_z_2 = q_next_z_1 + q_next_z_part;  /* F40 */
-    const int32_t q_next_z = round_10(q_next_z_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_z_fine = round_short_10(q_next_z_part);  /* F30 */
+    const int32_t q_next_z = q_next_z_fine + q_nb_z;  /* F30, |x| <= 1.01 */
 
     /* store */
     state->q[0] = q_next_w;
@@ -221,27 +220,27 @@ static void rotation_vector_1_previous_2_fixed32_start_up(
     const int32_t bent_x = round_32(bent_x_1);  /* F45, |x| <= 3.26e-07 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_x_1 = dtheta_x * INT64_C(512);  /* F45 */
-    const int64_t v_x_2 = v_x_1 + bent_x;  /* F45 */
-    const int32_t v_x = round_8(v_x_2);  /* F37, |x| <= 0.0126 */
+    const int32_t v_x_fine = round_short_8(bent_x);  /* F37 */
+    const int32_t v_x_1 = dtheta_x * 2;  /* F37 */
+    const int32_t v_x = v_x_fine + v_x_1;  /* F37, |x| <= 0.0126 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_y_1 = (int64_t)y * dtheta_y;  /* F77 */
     const int32_t bent_y = round_32(bent_y_1);  /* F45, |x| <= 3.26e-07 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_y_1 = dtheta_y * INT64_C(512);  /* F45 */
-    const int64_t v_y_2 = v_y_1 + bent_y;  /* F45 */
-    const int32_t v_y = round_8(v_y_2);  /* F37, |x| <= 0.0126 */
+    const int32_t v_y_fine = round_short_8(bent_y);  /* F37 */
+    const int32_t v_y_1 = dtheta_y * 2;  /* F37 */
+    const int32_t v_y = v_y_fine + v_y_1;  /* F37, |x| <= 0.0126 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_z_1 = (int64_t)y * dtheta_z;  /* F77 */
     const int32_t bent_z = round_32(bent_z_1);  /* F45, |x| <= 3.26e-07 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_z_1 = dtheta_z * INT64_C(512);  /* F45 */
-    const int64_t v_z_2 = v_z_1 + bent_z;  /* F45 */
-    const int32_t v_z = round_8(v_z_2);  /* F37, |x| <= 0.0126 */
+    const int32_t v_z_fine = round_short_8(bent_z);  /* F37 */
+    const int32_t v_z_1 = dtheta_z * 2;  /* F37 */
+    const int32_t v_z = v_z_fine + v_z_1;  /* F37, |x| <= 0.0126 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
     const int64_t u_4 = (int64_t)phi_square * u_3;  /* F67 */
@@ -258,68 +257,56 @@ static void rotation_vector_1_previous_2_fixed32_start_up(
     const int64_t a_8 = a_6 - a_7;  /* F61 */
     const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
     const int64_t a_10 = a_8 - a_9;  /* F61 */
-    const int32_t a = round_22(a_10);  /* F39, |x| <= 0.000323 */
+    const int32_t a = round_24(a_10);  /* F37, |x| <= 0.000323 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F69 */
+    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F67 */
     const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F67 */
-    const int64_t dq_w_3 = dq_w_2 * INT64_C(4);  /* F69 */
-    const int64_t dq_w_4 = dq_w_1 - dq_w_3;  /* F69 */
-    const int64_t dq_w_5 = (int64_t)q_y * v_y;  /* F67 */
-    const int64_t dq_w_6 = dq_w_5 * INT64_C(4);  /* F69 */
-    const int64_t dq_w_7 = dq_w_4 - dq_w_6;  /* F69 */
-    const int64_t dq_w_8 = (int64_t)q_z * v_z;  /* F67 */
-    const int64_t dq_w_9 = dq_w_8 * INT64_C(4);  /* F69 */
-    const int64_t dq_w_10 = dq_w_7 - dq_w_9;  /* F69 */
-    const int32_t dq_w = round_39(dq_w_10);  /* F30, |x| <= 0.0126 */
+    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F67 */
+    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F67 */
+    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F67 */
+    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F67 */
+    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F67 */
+    const int32_t dq_w = round_37(dq_w_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
     const int32_t q_next_w = q_w + dq_w;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F67 */
-    const int64_t dq_x_2 = dq_x_1 * INT64_C(4);  /* F69 */
-    const int64_t dq_x_3 = (int64_t)q_x * a;  /* F69 */
-    const int64_t dq_x_4 = dq_x_2 + dq_x_3;  /* F69 */
-    const int64_t dq_x_5 = (int64_t)q_y * v_z;  /* F67 */
-    const int64_t dq_x_6 = dq_x_5 * INT64_C(4);  /* F69 */
-    const int64_t dq_x_7 = dq_x_4 + dq_x_6;  /* F69 */
-    const int64_t dq_x_8 = (int64_t)q_z * v_y;  /* F67 */
-    const int64_t dq_x_9 = dq_x_8 * INT64_C(4);  /* F69 */
-    const int64_t dq_x_10 = dq_x_7 - dq_x_9;  /* F69 */
-    const int32_t dq_x = round_39(dq_x_10);  /* F30, |x| <= 0.0126 */
+    const int64_t dq_x_2 = (int64_t)q_x * a;  /* F67 */
+    const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F67 */
+    const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F67 */
+    const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F67 */
+    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F67 */
+    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F67 */
+    const int32_t dq_x = round_37(dq_x_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
     const int32_t q_next_x = q_x + dq_x;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F67 */
-    const int64_t dq_y_2 = dq_y_1 * INT64_C(4);  /* F69 */
-    const int64_t dq_y_3 = (int64_t)q_y * a;  /* F69 */
-    const int64_t dq_y_4 = dq_y_2 + dq_y_3;  /* F69 */
-    const int64_t dq_y_5 = (int64_t)q_z * v_x;  /* F67 */
-    const int64_t dq_y_6 = dq_y_5 * INT64_C(4);  /* F69 */
-    const int64_t dq_y_7 = dq_y_4 + dq_y_6;  /* F69 */
-    const int64_t dq_y_8 = (int64_t)q_x * v_z;  /* F67 */
-    const int64_t dq_y_9 = dq_y_8 * INT64_C(4);  /* F69 */
-    const int64_t dq_y_10 = dq_y_7 - dq_y_9;  /* F69 */
-    const int32_t dq_y = round_39(dq_y_10);  /* F30, |x| <= 0.0126 */
+    const int64_t dq_y_2 = (int64_t)q_y * a;  /* F67 */
+    const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F67 */
+    const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F67 */
+    const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F67 */
+    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F67 */
+    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F67 */
+    const int32_t dq_y = round_37(dq_y_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
     const int32_t q_next_y = q_y + dq_y;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F67 */
-    const int64_t dq_z_2 = dq_z_1 * INT64_C(4);  /* F69 */
-    const int64_t dq_z_3 = (int64_t)q_z * a;  /* F69 */
-    const int64_t dq_z_4 = dq_z_2 + dq_z_3;  /* F69 */
-    const int64_t dq_z_5 = (int64_t)q_x * v_y;  /* F67 */
-    const int64_t dq_z_6 = dq_z_5 * INT64_C(4);  /* F69 */
-    const int64_t dq_z_7 = dq_z_4 + dq_z_6;  /* F69 */
-    const int64_t dq_z_8 = (int64_t)q_y * v_x;  /* F67 */
-    const int64_t dq_z_9 = dq_z_8 * INT64_C(4);  /* F69 */
-    const int64_t dq_z_10 = dq_z_7 - dq_z_9;  /* F69 */
-    const int32_t dq_z = round_39(dq_z_10);  /* F30, |x| <= 0.0126 */
+    const int64_t dq_z_2 = (int64_t)q_z * a;  /* F67 */
+    const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F67 */
+    const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F67 */
+    const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F67 */
+    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F67 */
+    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F67 */
+    const int32_t dq_z = round_37(dq_z_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
     const int32_t q_next_z = q_z + dq_z;  /* F30, |x| <= 1.01 */
@@ -425,27 +412,24 @@ static void rotation_vector_1_previous_2_fixed32_steady(
     const int32_t bent_x = round_32(bent_x_1);  /* F48, |x| <= 3.29e-07 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_x_1 = phi_x * INT64_C(2048);  /* F48 */
-    const int64_t v_x_2 = v_x_1 + bent_x;  /* F48 */
-    const int32_t v_x = round_11(v_x_2);  /* F37, |x| <= 0.0126 */
+    const int32_t v_x_fine = round_short_11(bent_x);  /* F37 */
+    const int32_t v_x = v_x_fine + phi_x;  /* F37, |x| <= 0.0126 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F80 */
     const int32_t bent_y = round_32(bent_y_1);  /* F48, |x| <= 3.29e-07 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_y_1 = phi_y * INT64_C(2048);  /* F48 */
-    const int64_t v_y_2 = v_y_1 + bent_y;  /* F48 */
-    const int32_t v_y = round_11(v_y_2);  /* F37, |x| <= 0.0126 */
+    const int32_t v_y_fine = round_short_11(bent_y);  /* F37 */
+    const int32_t v_y = v_y_fine + phi_y;  /* F37, |x| <= 0.0126 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F80 */
     const int32_t bent_z = round_32(bent_z_1);  /* F48, |x| <= 3.29e-07 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_z_1 = phi_z * INT64_C(2048);  /* F48 */
-    const int64_t v_z_2 = v_z_1 + bent_z;  /* F48 */
-    const int32_t v_z = round_11(v_z_2);  /* F37, |x| <= 0.0126 */
+    const int32_t v_z_fine = round_short_11(bent_z);  /* F37 */
+    const int32_t v_z = v_z_fine + phi_z;  /* F37, |x| <= 0.0126 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
     const int64_t u_4 = (int64_t)phi_square * u_3;  /* F71 */
@@ -462,68 +446,56 @@ static void rotation_vector_1_previous_2_fixed32_steady(
     const int64_t a_8 = a_6 - a_7;  /* F61 */
     const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
     const int64_t a_10 = a_8 - a_9;  /* F61 */
-    const int32_t a = round_22(a_10);  /* F39, |x| <= 0.000323 */
+    const int32_t a = round_24(a_10);  /* F37, |x| <= 0.000323 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F69 */
+    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F67 */
     const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F67 */
-    const int64_t dq_w_3 = dq_w_2 * INT64_C(4);  /* F69 */
-    const int64_t dq_w_4 = dq_w_1 - dq_w_3;  /* F69 */
-    const int64_t dq_w_5 = (int64_t)q_y * v_y;  /* F67 */
-    const int64_t dq_w_6 = dq_w_5 * INT64_C(4);  /* F69 */
-    const int64_t dq_w_7 = dq_w_4 - dq_w_6;  /* F69 */
-    const int64_t dq_w_8 = (int64_t)q_z * v_z;  /* F67 */
-    const int64_t dq_w_9 = dq_w_8 * INT64_C(4);  /* F69 */
-    const int64_t dq_w_10 = dq_w_7 - dq_w_9;  /* F69 */
-    const int32_t dq_w = round_39(dq_w_10);  /* F30, |x| <= 0.0126 */
+    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F67 */
+    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F67 */
+    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F67 */
+    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F67 */
+    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F67 */
+    const int32_t dq_w = round_37(dq_w_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
     const int32_t q_next_w = q_w + dq_w;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F67 */
-    const int64_t dq_x_2 = dq_x_1 * INT64_C(4);  /* F69 */
-    const int64_t dq_x_3 = (int64_t)q_x * a;  /* F69 */
-    const int64_t dq_x_4 = dq_x_2 + dq_x_3;  /* F69 */
-    const int64_t dq_x_5 = (int64_t)q_y * v_z;  /* F67 */
-    const int64_t dq_x_6 = dq_x_5 * INT64_C(4);  /* F69 */
-    const int64_t dq_x_7 = dq_x_4 + dq_x_6;  /* F69 */
-    const int64_t dq_x_8 = (int64_t)q_z * v_y;  /* F67 */
-    const int64_t dq_x_9 = dq_x_8 * INT64_C(4);  /* F69 */
-    const int64_t dq_x_10 = dq_x_7 - dq_x_9;  /* F69 */
-    const int32_t dq_x = round_39(dq_x_10);  /* F30, |x| <= 0.0126 */
+    const int64_t dq_x_2 = (int64_t)q_x * a;  /* F67 */
+    const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F67 */
+    const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F67 */
+    const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F67 */
+    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F67 */
+    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F67 */
+    const int32_t dq_x = round_37(dq_x_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
     const int32_t q_next_x = q_x + dq_x;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F67 */
-    const int64_t dq_y_2 = dq_y_1 * INT64_C(4);  /* F69 */
-    const int64_t dq_y_3 = (int64_t)q_y * a;  /* F69 */
-    const int64_t dq_y_4 = dq_y_2 + dq_y_3;  /* F69 */
-    const int64_t dq_y_5 = (int64_t)q_z * v_x;  /* F67 */
-    const int64_t dq_y_6 = dq_y_5 * INT64_C(4);  /* F69 */
-    const int64_t dq_y_7 = dq_y_4 + dq_y_6;  /* F69 */
-    const int64_t dq_y_8 = (int64_t)q_x * v_z;  /* F67 */
-    const int64_t dq_y_9 = dq_y_8 * INT64_C(4);  /* F69 */
-    const int64_t dq_y_10 = dq_y_7 - dq_y_9;  /* F69 */
-    const int32_t dq_y = round_39(dq_y_10);  /* F30, |x| <= 0.0126 */
+    const int64_t dq_y_2 = (int64_t)q_y * a;  /* F67 */
+    const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F67 */
+    const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F67 */
+    const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F67 */
+    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F67 */
+    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F67 */
+    const int32_t dq_y = round_37(dq_y_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
     const int32_t q_next_y = q_y + dq_y;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F67 */
-    const int64_t dq_z_2 = dq_z_1 * INT64_C(4);  /* F69 */
-    const int64_t dq_z_3 = (int64_t)q_z * a;  /* F69 */
-    const int64_t dq_z_4 = dq_z_2 + dq_z_3;  /* F69 */
-    const int64_t dq_z_5 = (int64_t)q_x * v_y;  /* F67 */
-    const int64_t dq_z_6 = dq_z_5 * INT64_C(4);  /* F69 */
-    const int64_t dq_z_7 = dq_z_4 + dq_z_6;  /* F69 */
-    const int64_t dq_z_8 = (int64_t)q_y * v_x;  /* F67 */
-    const int64_t dq_z_9 = dq_z_8 * INT64_C(4);  /* F69 */
-    const int64_t dq_z_10 = dq_z_7 - dq_z_9;  /* F69 */
-    const int32_t dq_z = round_39(dq_z_10);  /* F30, |x| <= 0.0126 */
+    const int64_t dq_z_2 = (int64_t)q_z * a;  /* F67 */
+    const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F67 */
+    const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F67 */
+    const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F67 */
+    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F67 */
+    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F67 */
+    const int32_t dq_z = round_37(dq_z_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
     const int32_t q_next_z = q_z + dq_z;  /* F30, |x| <= 1.01 */

@@ -26,7 +26,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       56       0   40        13       0       0     0     0     0       0      0
  * update shared           52       4   40        13       0       0     0     0     0       0      0
- * update emitted          52       0   45        35       0       0     0     0     0       0     76
+ * update emitted          52       0   45        35       0       0     0     0     0       0     55
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -41,10 +41,43 @@
 #endif
 
 
+/* The word of 32 bits with these bits. */
+static inline int32_t wrapped_32(uint32_t bits)
+{
+    return (bits <= (uint32_t)2147483647) ? (int32_t)bits : (-(int32_t)(~bits) - 1);
+}
+
+/* x / 2^bits, rounded down, 0 <= bits < 32. */
+static inline int32_t shift_right_32(int32_t x, int bits)
+{
+    return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
 /* x / 2^bits, rounded down, 0 <= bits < 64. */
 static inline int64_t shift_right_64(int64_t x, int bits)
 {
     return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
+/* whole - 2^15 rounded; the result fits 32 bits. */
+static inline int32_t left_of_15(int64_t whole, int32_t rounded)
+{
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 15);
+    return wrapped_32(left);
+}
+
+/* whole - 2^3 rounded; the result fits 32 bits. */
+static inline int32_t left_of_short_3(int32_t whole, int32_t rounded)
+{
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 3);
+    return wrapped_32(left);
+}
+
+/* whole - 2^5 rounded; the result fits 32 bits. */
+static inline int32_t left_of_short_5(int32_t whole, int32_t rounded)
+{
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 5);
+    return wrapped_32(left);
 }
 
 /* x / 2^1, rounded to nearest, halves up; the result fits 32 bits. */
@@ -58,20 +91,6 @@ static inline int32_t round_1(int64_t x)
 static inline int32_t round_2(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(2)) >> 2);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^3, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_3(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(4)) >> 3);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^5, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_5(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(16)) >> 5);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -127,6 +146,18 @@ static inline int32_t round_38(int64_t x)
 static inline int32_t round_40(int64_t x)
 {
     return (int32_t)shift_right_64(x + INT64_C(549755813888), 40);
+}
+
+/* x / 2^3, rounded to nearest, halves up. */
+static inline int32_t round_short_3(int32_t x)
+{
+    return shift_right_32(x + 4, 3);
+}
+
+/* x / 2^5, rounded to nearest, halves up. */
+static inline int32_t round_short_5(int32_t x)
+{
+    return shift_right_32(x + 16, 5);
 }
 
 /* x / 2^1, rounded to nearest, halves up. */
@@ -252,69 +283,51 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int32_t theta1_x_carried = state->residual[0];  /* F49 */
     const int64_t theta1_x_whole = theta1_x_whole_1 + theta1_x_carried;  /* F49 */
     const int32_t theta1_x = round_15(theta1_x_whole);  /* F34, |x| <= 0.117 */
-    const int64_t theta1_x_left_1 = theta1_x * INT64_C(32768);  /* F49 */
-    const int64_t theta1_x_left = theta1_x_whole - theta1_x_left_1;  /* F49 */
-    const int32_t theta1_x_left_over = (int32_t)theta1_x_left;  /* F49 */
+    const int32_t theta1_x_left = left_of_15(theta1_x_whole, theta1_x);  /* F49 */
     const int64_t theta1_y_whole_1 = (int64_t)1998968549 * counts1_y;  /* F49 */
     const int32_t theta1_y_carried = state->residual[1];  /* F49 */
     const int64_t theta1_y_whole = theta1_y_whole_1 + theta1_y_carried;  /* F49 */
     const int32_t theta1_y = round_15(theta1_y_whole);  /* F34, |x| <= 0.117 */
-    const int64_t theta1_y_left_1 = theta1_y * INT64_C(32768);  /* F49 */
-    const int64_t theta1_y_left = theta1_y_whole - theta1_y_left_1;  /* F49 */
-    const int32_t theta1_y_left_over = (int32_t)theta1_y_left;  /* F49 */
+    const int32_t theta1_y_left = left_of_15(theta1_y_whole, theta1_y);  /* F49 */
     const int64_t theta1_z_whole_1 = (int64_t)1998968549 * counts1_z;  /* F49 */
     const int32_t theta1_z_carried = state->residual[2];  /* F49 */
     const int64_t theta1_z_whole = theta1_z_whole_1 + theta1_z_carried;  /* F49 */
     const int32_t theta1_z = round_15(theta1_z_whole);  /* F34, |x| <= 0.117 */
-    const int64_t theta1_z_left_1 = theta1_z * INT64_C(32768);  /* F49 */
-    const int64_t theta1_z_left = theta1_z_whole - theta1_z_left_1;  /* F49 */
-    const int32_t theta1_z_left_over = (int32_t)theta1_z_left;  /* F49 */
+    const int32_t theta1_z_left = left_of_15(theta1_z_whole, theta1_z);  /* F49 */
 
     /* theta2 = quantum T/N counts, rad, the residue carried */
     const int64_t theta2_x_whole_1 = (int64_t)1998968549 * counts2_x;  /* F49 */
     const int32_t theta2_x_carried = state->residual[3];  /* F49 */
     const int64_t theta2_x_whole = theta2_x_whole_1 + theta2_x_carried;  /* F49 */
     const int32_t theta2_x = round_15(theta2_x_whole);  /* F34, |x| <= 0.117 */
-    const int64_t theta2_x_left_1 = theta2_x * INT64_C(32768);  /* F49 */
-    const int64_t theta2_x_left = theta2_x_whole - theta2_x_left_1;  /* F49 */
-    const int32_t theta2_x_left_over = (int32_t)theta2_x_left;  /* F49 */
+    const int32_t theta2_x_left = left_of_15(theta2_x_whole, theta2_x);  /* F49 */
     const int64_t theta2_y_whole_1 = (int64_t)1998968549 * counts2_y;  /* F49 */
     const int32_t theta2_y_carried = state->residual[4];  /* F49 */
     const int64_t theta2_y_whole = theta2_y_whole_1 + theta2_y_carried;  /* F49 */
     const int32_t theta2_y = round_15(theta2_y_whole);  /* F34, |x| <= 0.117 */
-    const int64_t theta2_y_left_1 = theta2_y * INT64_C(32768);  /* F49 */
-    const int64_t theta2_y_left = theta2_y_whole - theta2_y_left_1;  /* F49 */
-    const int32_t theta2_y_left_over = (int32_t)theta2_y_left;  /* F49 */
+    const int32_t theta2_y_left = left_of_15(theta2_y_whole, theta2_y);  /* F49 */
     const int64_t theta2_z_whole_1 = (int64_t)1998968549 * counts2_z;  /* F49 */
     const int32_t theta2_z_carried = state->residual[5];  /* F49 */
     const int64_t theta2_z_whole = theta2_z_whole_1 + theta2_z_carried;  /* F49 */
     const int32_t theta2_z = round_15(theta2_z_whole);  /* F34, |x| <= 0.117 */
-    const int64_t theta2_z_left_1 = theta2_z * INT64_C(32768);  /* F49 */
-    const int64_t theta2_z_left = theta2_z_whole - theta2_z_left_1;  /* F49 */
-    const int32_t theta2_z_left_over = (int32_t)theta2_z_left;  /* F49 */
+    const int32_t theta2_z_left = left_of_15(theta2_z_whole, theta2_z);  /* F49 */
 
     /* theta3 = quantum T/N counts, rad, the residue carried */
     const int64_t theta3_x_whole_1 = (int64_t)1998968549 * counts3_x;  /* F49 */
     const int32_t theta3_x_carried = state->residual[6];  /* F49 */
     const int64_t theta3_x_whole = theta3_x_whole_1 + theta3_x_carried;  /* F49 */
     const int32_t theta3_x = round_15(theta3_x_whole);  /* F34, |x| <= 0.117 */
-    const int64_t theta3_x_left_1 = theta3_x * INT64_C(32768);  /* F49 */
-    const int64_t theta3_x_left = theta3_x_whole - theta3_x_left_1;  /* F49 */
-    const int32_t theta3_x_left_over = (int32_t)theta3_x_left;  /* F49 */
+    const int32_t theta3_x_left = left_of_15(theta3_x_whole, theta3_x);  /* F49 */
     const int64_t theta3_y_whole_1 = (int64_t)1998968549 * counts3_y;  /* F49 */
     const int32_t theta3_y_carried = state->residual[7];  /* F49 */
     const int64_t theta3_y_whole = theta3_y_whole_1 + theta3_y_carried;  /* F49 */
     const int32_t theta3_y = round_15(theta3_y_whole);  /* F34, |x| <= 0.117 */
-    const int64_t theta3_y_left_1 = theta3_y * INT64_C(32768);  /* F49 */
-    const int64_t theta3_y_left = theta3_y_whole - theta3_y_left_1;  /* F49 */
-    const int32_t theta3_y_left_over = (int32_t)theta3_y_left;  /* F49 */
+    const int32_t theta3_y_left = left_of_15(theta3_y_whole, theta3_y);  /* F49 */
     const int64_t theta3_z_whole_1 = (int64_t)1998968549 * counts3_z;  /* F49 */
     const int32_t theta3_z_carried = state->residual[8];  /* F49 */
     const int64_t theta3_z_whole = theta3_z_whole_1 + theta3_z_carried;  /* F49 */
     const int32_t theta3_z = round_15(theta3_z_whole);  /* F34, |x| <= 0.117 */
-    const int64_t theta3_z_left_1 = theta3_z * INT64_C(32768);  /* F49 */
-    const int64_t theta3_z_left = theta3_z_whole - theta3_z_left_1;  /* F49 */
-    const int32_t theta3_z_left_over = (int32_t)theta3_z_left;  /* F49 */
+    const int32_t theta3_z_left = left_of_15(theta3_z_whole, theta3_z);  /* F49 */
 
     /* d = theta_3 - theta_1 */
     const int64_t d_x_1 = (int64_t)theta3_x - theta1_x;  /* F34 */
@@ -361,14 +374,11 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int32_t coning_x = round_31(coning_x_3);  /* F35, |x| <= 0.061 */
 
     /* phi, the rounding of the last update added, that of this one kept */
-    const int64_t phi_x_whole_1 = S_x * INT64_C(8);  /* F35 */
-    const int64_t phi_x_whole_2 = phi_x_whole_1 + coning_x;  /* F35 */
-    const int32_t phi_x_carried = state->residual[9];  /* F35 */
-    const int64_t phi_x_whole = phi_x_whole_2 + phi_x_carried;  /* F35 */
-    const int32_t phi_x = round_3(phi_x_whole);  /* F32, |x| <= 0.41 */
-    const int64_t phi_x_left_1 = phi_x * INT64_C(8);  /* F35 */
-    const int64_t phi_x_left = phi_x_whole - phi_x_left_1;  /* F35 */
-    const int32_t phi_x_left_over = (int32_t)phi_x_left;  /* F35 */
+    const int32_t phi_x_fine_carried = state->residual[9];  /* F35 */
+    const int32_t phi_x_fine_whole = coning_x + phi_x_fine_carried;  /* F35 */
+    const int32_t phi_x_fine = round_short_3(phi_x_fine_whole);  /* F32 */
+    const int32_t phi_x_fine_left = left_of_short_3(phi_x_fine_whole, phi_x_fine);  /* F35 */
+    const int32_t phi_x = phi_x_fine + S_x;  /* F32, |x| <= 0.41 */
 
     /* coning = g x k   [cao (12)] */
     const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F66 */
@@ -377,14 +387,11 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int32_t coning_y = round_31(coning_y_3);  /* F35, |x| <= 0.061 */
 
     /* phi, the rounding of the last update added, that of this one kept */
-    const int64_t phi_y_whole_1 = S_y * INT64_C(8);  /* F35 */
-    const int64_t phi_y_whole_2 = phi_y_whole_1 + coning_y;  /* F35 */
-    const int32_t phi_y_carried = state->residual[10];  /* F35 */
-    const int64_t phi_y_whole = phi_y_whole_2 + phi_y_carried;  /* F35 */
-    const int32_t phi_y = round_3(phi_y_whole);  /* F32, |x| <= 0.41 */
-    const int64_t phi_y_left_1 = phi_y * INT64_C(8);  /* F35 */
-    const int64_t phi_y_left = phi_y_whole - phi_y_left_1;  /* F35 */
-    const int32_t phi_y_left_over = (int32_t)phi_y_left;  /* F35 */
+    const int32_t phi_y_fine_carried = state->residual[10];  /* F35 */
+    const int32_t phi_y_fine_whole = coning_y + phi_y_fine_carried;  /* F35 */
+    const int32_t phi_y_fine = round_short_3(phi_y_fine_whole);  /* F32 */
+    const int32_t phi_y_fine_left = left_of_short_3(phi_y_fine_whole, phi_y_fine);  /* F35 */
+    const int32_t phi_y = phi_y_fine + S_y;  /* F32, |x| <= 0.41 */
 
     /* coning = g x k   [cao (12)] */
     const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F66 */
@@ -393,14 +400,11 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int32_t coning_z = round_31(coning_z_3);  /* F35, |x| <= 0.061 */
 
     /* phi, the rounding of the last update added, that of this one kept */
-    const int64_t phi_z_whole_1 = S_z * INT64_C(8);  /* F35 */
-    const int64_t phi_z_whole_2 = phi_z_whole_1 + coning_z;  /* F35 */
-    const int32_t phi_z_carried = state->residual[11];  /* F35 */
-    const int64_t phi_z_whole = phi_z_whole_2 + phi_z_carried;  /* F35 */
-    const int32_t phi_z = round_3(phi_z_whole);  /* F32, |x| <= 0.41 */
-    const int64_t phi_z_left_1 = phi_z * INT64_C(8);  /* F35 */
-    const int64_t phi_z_left = phi_z_whole - phi_z_left_1;  /* F35 */
-    const int32_t phi_z_left_over = (int32_t)phi_z_left;  /* F35 */
+    const int32_t phi_z_fine_carried = state->residual[11];  /* F35 */
+    const int32_t phi_z_fine_whole = coning_z + phi_z_fine_carried;  /* F35 */
+    const int32_t phi_z_fine = round_short_3(phi_z_fine_whole);  /* F32 */
+    const int32_t phi_z_fine_left = left_of_short_3(phi_z_fine_whole, phi_z_fine);  /* F35 */
+    const int32_t phi_z = phi_z_fine + S_z;  /* F32, |x| <= 0.41 */
 
     /* phi_square = |phi|^2 */
     const int64_t phi_square_1 = (int64_t)phi_x * phi_x;  /* F64 */
@@ -439,42 +443,33 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int32_t bent_x = round_31(bent_x_1);  /* F38, |x| <= 0.00394 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int64_t v_x_whole_1 = phi_x * INT64_C(32);  /* F38 */
-    const int64_t v_x_whole_2 = v_x_whole_1 + bent_x;  /* F38 */
-    const int32_t v_x_carried = state->residual[12];  /* F38 */
-    const int64_t v_x_whole = v_x_whole_2 + v_x_carried;  /* F38 */
-    const int32_t v_x = round_5(v_x_whole);  /* F33, |x| <= 0.209 */
-    const int64_t v_x_left_1 = v_x * INT64_C(32);  /* F38 */
-    const int64_t v_x_left = v_x_whole - v_x_left_1;  /* F38 */
-    const int32_t v_x_left_over = (int32_t)v_x_left;  /* F38 */
+    const int32_t v_x_fine_carried = state->residual[12];  /* F38 */
+    const int32_t v_x_fine_whole = bent_x + v_x_fine_carried;  /* F38 */
+    const int32_t v_x_fine = round_short_5(v_x_fine_whole);  /* F33 */
+    const int32_t v_x_fine_left = left_of_short_5(v_x_fine_whole, v_x_fine);  /* F38 */
+    const int32_t v_x = v_x_fine + phi_x;  /* F33, |x| <= 0.209 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F69 */
     const int32_t bent_y = round_31(bent_y_1);  /* F38, |x| <= 0.00394 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int64_t v_y_whole_1 = phi_y * INT64_C(32);  /* F38 */
-    const int64_t v_y_whole_2 = v_y_whole_1 + bent_y;  /* F38 */
-    const int32_t v_y_carried = state->residual[13];  /* F38 */
-    const int64_t v_y_whole = v_y_whole_2 + v_y_carried;  /* F38 */
-    const int32_t v_y = round_5(v_y_whole);  /* F33, |x| <= 0.209 */
-    const int64_t v_y_left_1 = v_y * INT64_C(32);  /* F38 */
-    const int64_t v_y_left = v_y_whole - v_y_left_1;  /* F38 */
-    const int32_t v_y_left_over = (int32_t)v_y_left;  /* F38 */
+    const int32_t v_y_fine_carried = state->residual[13];  /* F38 */
+    const int32_t v_y_fine_whole = bent_y + v_y_fine_carried;  /* F38 */
+    const int32_t v_y_fine = round_short_5(v_y_fine_whole);  /* F33 */
+    const int32_t v_y_fine_left = left_of_short_5(v_y_fine_whole, v_y_fine);  /* F38 */
+    const int32_t v_y = v_y_fine + phi_y;  /* F33, |x| <= 0.209 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F69 */
     const int32_t bent_z = round_31(bent_z_1);  /* F38, |x| <= 0.00394 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int64_t v_z_whole_1 = phi_z * INT64_C(32);  /* F38 */
-    const int64_t v_z_whole_2 = v_z_whole_1 + bent_z;  /* F38 */
-    const int32_t v_z_carried = state->residual[14];  /* F38 */
-    const int64_t v_z_whole = v_z_whole_2 + v_z_carried;  /* F38 */
-    const int32_t v_z = round_5(v_z_whole);  /* F33, |x| <= 0.209 */
-    const int64_t v_z_left_1 = v_z * INT64_C(32);  /* F38 */
-    const int64_t v_z_left = v_z_whole - v_z_left_1;  /* F38 */
-    const int32_t v_z_left_over = (int32_t)v_z_left;  /* F38 */
+    const int32_t v_z_fine_carried = state->residual[14];  /* F38 */
+    const int32_t v_z_fine_whole = bent_z + v_z_fine_carried;  /* F38 */
+    const int32_t v_z_fine = round_short_5(v_z_fine_whole);  /* F33 */
+    const int32_t v_z_fine_left = left_of_short_5(v_z_fine_whole, v_z_fine);  /* F38 */
+    const int32_t v_z = v_z_fine + phi_z;  /* F33, |x| <= 0.209 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
     const int64_t u_10 = (int64_t)phi_square * u_9;  /* F65 */
@@ -552,21 +547,21 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     state->q[3] = q_next_z;
 
     /* carry the roundings to the next update */
-    state->residual[0] = theta1_x_left_over;
-    state->residual[1] = theta1_y_left_over;
-    state->residual[2] = theta1_z_left_over;
-    state->residual[3] = theta2_x_left_over;
-    state->residual[4] = theta2_y_left_over;
-    state->residual[5] = theta2_z_left_over;
-    state->residual[6] = theta3_x_left_over;
-    state->residual[7] = theta3_y_left_over;
-    state->residual[8] = theta3_z_left_over;
-    state->residual[9] = phi_x_left_over;
-    state->residual[10] = phi_y_left_over;
-    state->residual[11] = phi_z_left_over;
-    state->residual[12] = v_x_left_over;
-    state->residual[13] = v_y_left_over;
-    state->residual[14] = v_z_left_over;
+    state->residual[0] = theta1_x_left;
+    state->residual[1] = theta1_y_left;
+    state->residual[2] = theta1_z_left;
+    state->residual[3] = theta2_x_left;
+    state->residual[4] = theta2_y_left;
+    state->residual[5] = theta2_z_left;
+    state->residual[6] = theta3_x_left;
+    state->residual[7] = theta3_y_left;
+    state->residual[8] = theta3_z_left;
+    state->residual[9] = phi_x_fine_left;
+    state->residual[10] = phi_y_fine_left;
+    state->residual[11] = phi_z_fine_left;
+    state->residual[12] = v_x_fine_left;
+    state->residual[13] = v_y_fine_left;
+    state->residual[14] = v_z_fine_left;
 }
 
 void rotation_vector_3_coning_counts_fixed32_compensated_quaternion(

@@ -24,7 +24,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       42       0   35        13       0       0     0     0     0       0      0
  * update shared           38       4   35        13       0       0     0     0     0       0      0
- * update emitted          38       0   34        23       1       0     0     0     0       0     60
+ * update emitted          38       0   34        23       1       0     0     0     0       0     54
  * dcm as-written           9       0    9         6       0       0     0     0     0       0      0
  * dcm shared               9       0    9         6       0       0     0     0     0       0      0
  * dcm emitted              9       0    3         9       0       0     0     0     0       0     19
@@ -42,10 +42,30 @@
 #endif
 
 
+/* The word of 16 bits with these bits. */
+static inline int16_t wrapped_16(uint16_t bits)
+{
+    return (bits <= (uint16_t)32767) ? (int16_t)bits : ((int16_t)(-(int16_t)(uint16_t)(~bits) - 1));
+}
+
 /* x / 2^bits, rounded down, 0 <= bits < 32. */
 static inline int32_t shift_right_32(int32_t x, int bits)
 {
     return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
+/* whole - 2^5 rounded; the result fits 16 bits. */
+static inline int16_t left_of_5(int32_t whole, int16_t rounded)
+{
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 5);
+    return wrapped_16((uint16_t)left);
+}
+
+/* whole - 2^11 rounded; the result fits 16 bits. */
+static inline int16_t left_of_11(int32_t whole, int16_t rounded)
+{
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 11);
+    return wrapped_16((uint16_t)left);
 }
 
 /* x / 2^1, rounded to nearest, halves up; the result fits 16 bits. */
@@ -246,9 +266,7 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     const int16_t phi_x_carried = state->residual[0];  /* F23 */
     const int32_t phi_x_whole = phi_x_whole_2 + phi_x_carried;  /* F23 */
     const int16_t phi_x = round_5(phi_x_whole);  /* F18, |x| <= 0.103 */
-    const int32_t phi_x_left_1 = (int32_t)phi_x * 32;  /* F23 */
-    const int32_t phi_x_left = phi_x_whole - phi_x_left_1;  /* F23 */
-    const int16_t phi_x_left_over = (int16_t)phi_x_left;  /* F23 */
+    const int16_t phi_x_left = left_of_5(phi_x_whole, phi_x);  /* F23 */
 
     /* coning = g x k   [cao (12)] */
     const int32_t coning_y_1 = (int32_t)g_z * k_x;  /* F38 */
@@ -262,9 +280,7 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     const int16_t phi_y_carried = state->residual[1];  /* F23 */
     const int32_t phi_y_whole = phi_y_whole_2 + phi_y_carried;  /* F23 */
     const int16_t phi_y = round_5(phi_y_whole);  /* F18, |x| <= 0.103 */
-    const int32_t phi_y_left_1 = (int32_t)phi_y * 32;  /* F23 */
-    const int32_t phi_y_left = phi_y_whole - phi_y_left_1;  /* F23 */
-    const int16_t phi_y_left_over = (int16_t)phi_y_left;  /* F23 */
+    const int16_t phi_y_left = left_of_5(phi_y_whole, phi_y);  /* F23 */
 
     /* coning = g x k   [cao (12)] */
     const int32_t coning_z_1 = (int32_t)g_x * k_y;  /* F38 */
@@ -278,9 +294,7 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     const int16_t phi_z_carried = state->residual[2];  /* F23 */
     const int32_t phi_z_whole = phi_z_whole_2 + phi_z_carried;  /* F23 */
     const int16_t phi_z = round_5(phi_z_whole);  /* F18, |x| <= 0.103 */
-    const int32_t phi_z_left_1 = (int32_t)phi_z * 32;  /* F23 */
-    const int32_t phi_z_left = phi_z_whole - phi_z_left_1;  /* F23 */
-    const int16_t phi_z_left_over = (int16_t)phi_z_left;  /* F23 */
+    const int16_t phi_z_left = left_of_5(phi_z_whole, phi_z);  /* F23 */
 
     /* phi_square = |phi|^2 */
     const int32_t phi_square_1 = (int32_t)phi_x * phi_x;  /* F36 */
@@ -311,9 +325,7 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     const int16_t v_x_carried = state->residual[3];  /* F30 */
     const int32_t v_x_whole = v_x_whole_2 + v_x_carried;  /* F30 */
     const int16_t v_x = round_11(v_x_whole);  /* F19, |x| <= 0.0512 */
-    const int32_t v_x_left_1 = (int32_t)v_x * 2048;  /* F30 */
-    const int32_t v_x_left = v_x_whole - v_x_left_1;  /* F30 */
-    const int16_t v_x_left_over = (int16_t)v_x_left;  /* F30 */
+    const int16_t v_x_left = left_of_11(v_x_whole, v_x);  /* F30 */
 
     /* bent = y phi   [cao (14)] */
     const int32_t bent_y_1 = (int32_t)y * phi_y;  /* F45 */
@@ -325,9 +337,7 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     const int16_t v_y_carried = state->residual[4];  /* F30 */
     const int32_t v_y_whole = v_y_whole_2 + v_y_carried;  /* F30 */
     const int16_t v_y = round_11(v_y_whole);  /* F19, |x| <= 0.0512 */
-    const int32_t v_y_left_1 = (int32_t)v_y * 2048;  /* F30 */
-    const int32_t v_y_left = v_y_whole - v_y_left_1;  /* F30 */
-    const int16_t v_y_left_over = (int16_t)v_y_left;  /* F30 */
+    const int16_t v_y_left = left_of_11(v_y_whole, v_y);  /* F30 */
 
     /* bent = y phi   [cao (14)] */
     const int32_t bent_z_1 = (int32_t)y * phi_z;  /* F45 */
@@ -339,9 +349,7 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     const int16_t v_z_carried = state->residual[5];  /* F30 */
     const int32_t v_z_whole = v_z_whole_2 + v_z_carried;  /* F30 */
     const int16_t v_z = round_11(v_z_whole);  /* F19, |x| <= 0.0512 */
-    const int32_t v_z_left_1 = (int32_t)v_z * 2048;  /* F30 */
-    const int32_t v_z_left = v_z_whole - v_z_left_1;  /* F30 */
-    const int16_t v_z_left_over = (int16_t)v_z_left;  /* F30 */
+    const int16_t v_z_left = left_of_11(v_z_whole, v_z);  /* F30 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
     const int32_t u_3 = (int32_t)phi_square * u_2;  /* F38 */
@@ -431,12 +439,12 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     state->q[3] = q_next_z;
 
     /* carry the roundings to the next update */
-    state->residual[0] = phi_x_left_over;
-    state->residual[1] = phi_y_left_over;
-    state->residual[2] = phi_z_left_over;
-    state->residual[3] = v_x_left_over;
-    state->residual[4] = v_y_left_over;
-    state->residual[5] = v_z_left_over;
+    state->residual[0] = phi_x_left;
+    state->residual[1] = phi_y_left;
+    state->residual[2] = phi_z_left;
+    state->residual[3] = v_x_left;
+    state->residual[4] = v_y_left;
+    state->residual[5] = v_z_left;
 }
 
 void rotation_vector_3_coning_fixed16_compensated_quaternion(

@@ -20,13 +20,13 @@
  *              2.5e-15 (scalar), 7.8e-14 (vector), proved over the rationals
  * rounding:    one update is within 1.2e-09 of exact arithmetic, in the norm of the components;
  *              proved
- * high words:  7 of 20 rounded sums of products drop a whole word, 1 before formats were searched
+ * high words:  4 of 20 rounded sums of products drop a whole word, 1 before formats were searched
  *              for that; of one update's errors in the first order it made 2.2e-09 of 2.2e-09
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       44       0   37        13       0       0     0     0     0       0      0
  * update shared           40       4   37        13       0       0     0     0     0       0      0
- * update emitted          40       0   28        19       0       0     0     0     0       0     45
+ * update emitted          40       0   28        19       0       0     0     0     0       0     24
  * dcm as-written           9       0    9         6       0       0     0     0     0       0      0
  * dcm shared               9       0    9         6       0       0     0     0     0       0      0
  * dcm emitted              9       0    3         9       0       0     0     0     0       0     15
@@ -91,20 +91,6 @@ static inline int32_t round_2(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^8, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_8(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(128)) >> 8);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_10(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
 /* x / 2^21, rounded to nearest, halves up; the result fits 32 bits. */
 static inline int32_t round_21(int64_t x)
 {
@@ -112,24 +98,10 @@ static inline int32_t round_21(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^24, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_24(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(8388608)) >> 24);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
 /* x / 2^26, rounded to nearest, halves up; the result fits 32 bits. */
 static inline int32_t round_26(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(33554432)) >> 26);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^27, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_27(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(67108864)) >> 27);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -192,12 +164,6 @@ static inline int32_t round_36(int64_t x)
     return (int32_t)shift_right_64(x + INT64_C(34359738368), 36);
 }
 
-/* x / 2^37, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_37(int64_t x)
-{
-    return (int32_t)shift_right_64(x + INT64_C(68719476736), 37);
-}
-
 /* x / 2^42, rounded to nearest, halves up; the result fits 32 bits. */
 static inline int32_t round_42(int64_t x)
 {
@@ -226,6 +192,12 @@ static inline int32_t round_short_4(int32_t x)
 static inline int32_t round_short_8(int32_t x)
 {
     return shift_right_32(x + 128, 8);
+}
+
+/* x / 2^10, rounded to nearest, halves up. */
+static inline int32_t round_short_10(int32_t x)
+{
+    return shift_right_32(x + 512, 10);
 }
 
 void rotation_vector_3_coning_fixed32_init(rotation_vector_3_coning_fixed32_state *state)
@@ -259,24 +231,20 @@ void rotation_vector_3_coning_fixed32_set_quaternion(
     /* q_next = q + e q */
     const int64_t q_next_w_part_1 = (int64_t)e * q_nb_w;  /* F70 */
     const int32_t q_next_w_part = round_30(q_next_w_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_w_1 = q_nb_w * INT64_C(1024);  /* F40 */
-    const int64_t q_next_w_2 = q_next_w_1 + q_next_w_part;  /* F40 */
-    const int32_t q_next_w = round_10(q_next_w_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_w_fine = round_short_10(q_next_w_part);  /* F30 */
+    const int32_t q_next_w = q_next_w_fine + q_nb_w;  /* F30, |x| <= 1.01 */
     const int64_t q_next_x_part_1 = (int64_t)e * q_nb_x;  /* F70 */
     const int32_t q_next_x_part = round_30(q_next_x_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_x_1 = q_nb_x * INT64_C(1024);  /* F40 */
-    const int64_t q_next_x_2 = q_next_x_1 + q_next_x_part;  /* F40 */
-    const int32_t q_next_x = round_10(q_next_x_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_x_fine = round_short_10(q_next_x_part);  /* F30 */
+    const int32_t q_next_x = q_next_x_fine + q_nb_x;  /* F30, |x| <= 1.01 */
     const int64_t q_next_y_part_1 = (int64_t)e * q_nb_y;  /* F70 */
     const int32_t q_next_y_part = round_30(q_next_y_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_y_1 = q_nb_y * INT64_C(1024);  /* F40 */
-    const int64_t q_next_y_2 = q_next_y_1 + q_next_y_part;  /* F40 */
-    const int32_t q_next_y = round_10(q_next_y_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_y_fine = round_short_10(q_next_y_part);  /* F30 */
+    const int32_t q_next_y = q_next_y_fine + q_nb_y;  /* F30, |x| <= 1.01 */
     const int64_t q_next_z_part_1 = (int64_t)e * q_nb_z;  /* F70 */
     const int32_t q_next_z_part = round_30(q_next_z_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_z_1 = q_nb_z * INT64_C(1024);  /* F40 */
-    const int64_t q_next_z_2 = q_next_z_1 + q_next_z_part;  /* F40 */
-    const int32_t q_next_z = round_10(q_next_z_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_z_fine = round_short_10(q_next_z_part);  /* F30 */
+    const int32_t q_next_z = q_next_z_fine + q_nb_z;  /* F30, |x| <= 1.01 */
 
     /* store */
     state->q[0] = q_next_w;
@@ -317,15 +285,12 @@ void rotation_vector_3_coning_fixed32_update(
     const int32_t S_z = S_z_1 + dtheta2_z;  /* F34, |x| <= 0.101 */
 
     /* g = S + 2 theta_2   [cao (12)] */
-    const int64_t g_x_1 = dtheta2_x * INT64_C(2);  /* F34 */
-    const int64_t g_x_2 = S_x + g_x_1;  /* F34 */
-    const int32_t g_x = round_1(g_x_2);  /* F33, |x| <= 0.167 */
-    const int64_t g_y_1 = dtheta2_y * INT64_C(2);  /* F34 */
-    const int64_t g_y_2 = S_y + g_y_1;  /* F34 */
-    const int32_t g_y = round_1(g_y_2);  /* F33, |x| <= 0.167 */
-    const int64_t g_z_1 = dtheta2_z * INT64_C(2);  /* F34 */
-    const int64_t g_z_2 = S_z + g_z_1;  /* F34 */
-    const int32_t g_z = round_1(g_z_2);  /* F33, |x| <= 0.167 */
+    const int32_t g_x_fine = round_short_1(S_x);  /* F33 */
+    const int32_t g_x = g_x_fine + dtheta2_x;  /* F33, |x| <= 0.167 */
+    const int32_t g_y_fine = round_short_1(S_y);  /* F33 */
+    const int32_t g_y = g_y_fine + dtheta2_y;  /* F33, |x| <= 0.167 */
+    const int32_t g_z_fine = round_short_1(S_z);  /* F33 */
+    const int32_t g_z = g_z_fine + dtheta2_z;  /* F33, |x| <= 0.167 */
 
     /* k = 9/40 d   [cao (12)] */
     const int64_t k_x_1 = (int64_t)1932735283 /* 9/40 */ * d_x;  /* F67 */
@@ -383,34 +348,28 @@ void rotation_vector_3_coning_fixed32_update(
     const int64_t y_2 = y_1 - INT64_C(384307165617423277) /* 3097422/148676257 */;  /* F64 */
     const int32_t y_3 = round_32(y_2);  /* F32, |x| <= 0.0209 */
     const int64_t y_4 = (int64_t)phi_square * y_3;  /* F68 */
-    const int32_t y = round_27(y_4);  /* F41, |x| <= 0.000218 */
+    const int32_t y = round_31(y_4);  /* F37, |x| <= 0.000218 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F75 */
-    const int32_t bent_x = round_32(bent_x_1);  /* F43, |x| <= 2.23e-05 */
+    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F71 */
+    const int32_t bent_x = round_36(bent_x_1);  /* F35, |x| <= 2.23e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_x_1 = phi_x * INT64_C(256);  /* F43 */
-    const int64_t v_x_2 = v_x_1 + bent_x;  /* F43 */
-    const int32_t v_x = round_8(v_x_2);  /* F35, |x| <= 0.0512 */
+    const int32_t v_x = phi_x + bent_x;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F75 */
-    const int32_t bent_y = round_32(bent_y_1);  /* F43, |x| <= 2.23e-05 */
+    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F71 */
+    const int32_t bent_y = round_36(bent_y_1);  /* F35, |x| <= 2.23e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_y_1 = phi_y * INT64_C(256);  /* F43 */
-    const int64_t v_y_2 = v_y_1 + bent_y;  /* F43 */
-    const int32_t v_y = round_8(v_y_2);  /* F35, |x| <= 0.0512 */
+    const int32_t v_y = phi_y + bent_y;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F75 */
-    const int32_t bent_z = round_32(bent_z_1);  /* F43, |x| <= 2.23e-05 */
+    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F71 */
+    const int32_t bent_z = round_36(bent_z_1);  /* F35, |x| <= 2.23e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_z_1 = phi_z * INT64_C(256);  /* F43 */
-    const int64_t v_z_2 = v_z_1 + bent_z;  /* F43 */
-    const int32_t v_z = round_8(v_z_2);  /* F35, |x| <= 0.0512 */
+    const int32_t v_z = phi_z + bent_z;  /* F35, |x| <= 0.0512 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
     const int64_t u_7 = (int64_t)phi_square * u_6;  /* F68 */
@@ -427,68 +386,56 @@ void rotation_vector_3_coning_fixed32_update(
     const int64_t a_8 = a_6 - a_7;  /* F61 */
     const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
     const int64_t a_10 = a_8 - a_9;  /* F61 */
-    const int32_t a = round_24(a_10);  /* F37, |x| <= 0.00522 */
+    const int32_t a = round_26(a_10);  /* F35, |x| <= 0.00522 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F67 */
+    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F65 */
     const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
-    const int64_t dq_w_3 = dq_w_2 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_4 = dq_w_1 - dq_w_3;  /* F67 */
-    const int64_t dq_w_5 = (int64_t)q_y * v_y;  /* F65 */
-    const int64_t dq_w_6 = dq_w_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_7 = dq_w_4 - dq_w_6;  /* F67 */
-    const int64_t dq_w_8 = (int64_t)q_z * v_z;  /* F65 */
-    const int64_t dq_w_9 = dq_w_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_10 = dq_w_7 - dq_w_9;  /* F67 */
-    const int32_t dq_w = round_37(dq_w_10);  /* F30, |x| <= 0.0516 */
+    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F65 */
+    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F65 */
+    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F65 */
+    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F65 */
+    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F65 */
+    const int32_t dq_w = round_35(dq_w_7);  /* F30, |x| <= 0.0516 */
 
     /* q_next = q + dq */
     const int32_t q_next_w = q_w + dq_w;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F65 */
-    const int64_t dq_x_2 = dq_x_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_3 = (int64_t)q_x * a;  /* F67 */
-    const int64_t dq_x_4 = dq_x_2 + dq_x_3;  /* F67 */
-    const int64_t dq_x_5 = (int64_t)q_y * v_z;  /* F65 */
-    const int64_t dq_x_6 = dq_x_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_7 = dq_x_4 + dq_x_6;  /* F67 */
-    const int64_t dq_x_8 = (int64_t)q_z * v_y;  /* F65 */
-    const int64_t dq_x_9 = dq_x_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_10 = dq_x_7 - dq_x_9;  /* F67 */
-    const int32_t dq_x = round_37(dq_x_10);  /* F30, |x| <= 0.0516 */
+    const int64_t dq_x_2 = (int64_t)q_x * a;  /* F65 */
+    const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F65 */
+    const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F65 */
+    const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F65 */
+    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F65 */
+    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F65 */
+    const int32_t dq_x = round_35(dq_x_7);  /* F30, |x| <= 0.0516 */
 
     /* q_next = q + dq */
     const int32_t q_next_x = q_x + dq_x;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F65 */
-    const int64_t dq_y_2 = dq_y_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_3 = (int64_t)q_y * a;  /* F67 */
-    const int64_t dq_y_4 = dq_y_2 + dq_y_3;  /* F67 */
-    const int64_t dq_y_5 = (int64_t)q_z * v_x;  /* F65 */
-    const int64_t dq_y_6 = dq_y_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_7 = dq_y_4 + dq_y_6;  /* F67 */
-    const int64_t dq_y_8 = (int64_t)q_x * v_z;  /* F65 */
-    const int64_t dq_y_9 = dq_y_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_10 = dq_y_7 - dq_y_9;  /* F67 */
-    const int32_t dq_y = round_37(dq_y_10);  /* F30, |x| <= 0.0516 */
+    const int64_t dq_y_2 = (int64_t)q_y * a;  /* F65 */
+    const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F65 */
+    const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F65 */
+    const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F65 */
+    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F65 */
+    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F65 */
+    const int32_t dq_y = round_35(dq_y_7);  /* F30, |x| <= 0.0516 */
 
     /* q_next = q + dq */
     const int32_t q_next_y = q_y + dq_y;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F65 */
-    const int64_t dq_z_2 = dq_z_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_3 = (int64_t)q_z * a;  /* F67 */
-    const int64_t dq_z_4 = dq_z_2 + dq_z_3;  /* F67 */
-    const int64_t dq_z_5 = (int64_t)q_x * v_y;  /* F65 */
-    const int64_t dq_z_6 = dq_z_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_7 = dq_z_4 + dq_z_6;  /* F67 */
-    const int64_t dq_z_8 = (int64_t)q_y * v_x;  /* F65 */
-    const int64_t dq_z_9 = dq_z_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_10 = dq_z_7 - dq_z_9;  /* F67 */
-    const int32_t dq_z = round_37(dq_z_10);  /* F30, |x| <= 0.0516 */
+    const int64_t dq_z_2 = (int64_t)q_z * a;  /* F65 */
+    const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F65 */
+    const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F65 */
+    const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F65 */
+    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F65 */
+    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F65 */
+    const int32_t dq_z = round_35(dq_z_7);  /* F30, |x| <= 0.0516 */
 
     /* q_next = q + dq */
     const int32_t q_next_z = q_z + dq_z;  /* F30, |x| <= 1.01 */

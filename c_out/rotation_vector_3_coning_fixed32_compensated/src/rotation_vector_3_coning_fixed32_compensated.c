@@ -26,7 +26,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       44       0   37        13       0       0     0     0     0       0      0
  * update shared           40       4   37        13       0       0     0     0     0       0      0
- * update emitted          40       0   34        25       0       0     0     0     0       0     61
+ * update emitted          40       0   34        25       0       0     0     0     0       0     34
  * dcm as-written           9       0    9         6       0       0     0     0     0       0      0
  * dcm shared               9       0    9         6       0       0     0     0     0       0      0
  * dcm emitted              9       0    3         9       0       0     0     0     0       0     19
@@ -44,31 +44,36 @@
 #endif
 
 
+/* The word of 32 bits with these bits. */
+static inline int32_t wrapped_32(uint32_t bits)
+{
+    return (bits <= (uint32_t)2147483647) ? (int32_t)bits : (-(int32_t)(~bits) - 1);
+}
+
+/* x / 2^bits, rounded down, 0 <= bits < 32. */
+static inline int32_t shift_right_32(int32_t x, int bits)
+{
+    return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
 /* x / 2^bits, rounded down, 0 <= bits < 64. */
 static inline int64_t shift_right_64(int64_t x, int bits)
 {
     return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
 }
 
-/* x / 2^1, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_1(int64_t x)
+/* whole - 2^5 rounded; the result fits 32 bits. */
+static inline int32_t left_of_short_5(int32_t whole, int32_t rounded)
 {
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1)) >> 1);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 5);
+    return wrapped_32(left);
 }
 
-/* x / 2^5, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_5(int64_t x)
+/* whole - 2^10 rounded; the result fits 32 bits. */
+static inline int32_t left_of_short_10(int32_t whole, int32_t rounded)
 {
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(16)) >> 5);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_10(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 10);
+    return wrapped_32(left);
 }
 
 /* x / 2^21, rounded to nearest, halves up; the result fits 32 bits. */
@@ -78,10 +83,10 @@ static inline int32_t round_21(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^24, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_24(int64_t x)
+/* x / 2^26, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_26(int64_t x)
 {
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(8388608)) >> 24);
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(33554432)) >> 26);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -119,10 +124,28 @@ static inline int32_t round_43(int64_t x)
     return (int32_t)shift_right_64(x + INT64_C(4398046511104), 43);
 }
 
-/* x / 2^5, rounded to nearest, halves up. */
-static inline int64_t round_wide_5(int64_t x)
+/* x / 2^1, rounded to nearest, halves up. */
+static inline int32_t round_short_1(int32_t x)
 {
-    return shift_right_64(x + INT64_C(16), 5);
+    return shift_right_32(x + 1, 1);
+}
+
+/* x / 2^5, rounded to nearest, halves up. */
+static inline int32_t round_short_5(int32_t x)
+{
+    return shift_right_32(x + 16, 5);
+}
+
+/* x / 2^10, rounded to nearest, halves up. */
+static inline int32_t round_short_10(int32_t x)
+{
+    return shift_right_32(x + 512, 10);
+}
+
+/* x / 2^3, rounded to nearest, halves up. */
+static inline int64_t round_wide_3(int64_t x)
+{
+    return shift_right_64(x + INT64_C(4), 3);
 }
 
 /* x / 2^8, rounded to nearest, halves up. */
@@ -233,15 +256,12 @@ void rotation_vector_3_coning_fixed32_compensated_update(
     const int32_t S_z = S_z_1 + dtheta2_z;  /* F34, |x| <= 0.101 */
 
     /* g = S + 2 theta_2   [cao (12)] */
-    const int64_t g_x_1 = dtheta2_x * INT64_C(2);  /* F34 */
-    const int64_t g_x_2 = S_x + g_x_1;  /* F34 */
-    const int32_t g_x = round_1(g_x_2);  /* F33, |x| <= 0.167 */
-    const int64_t g_y_1 = dtheta2_y * INT64_C(2);  /* F34 */
-    const int64_t g_y_2 = S_y + g_y_1;  /* F34 */
-    const int32_t g_y = round_1(g_y_2);  /* F33, |x| <= 0.167 */
-    const int64_t g_z_1 = dtheta2_z * INT64_C(2);  /* F34 */
-    const int64_t g_z_2 = S_z + g_z_1;  /* F34 */
-    const int32_t g_z = round_1(g_z_2);  /* F33, |x| <= 0.167 */
+    const int32_t g_x_fine = round_short_1(S_x);  /* F33 */
+    const int32_t g_x = g_x_fine + dtheta2_x;  /* F33, |x| <= 0.167 */
+    const int32_t g_y_fine = round_short_1(S_y);  /* F33 */
+    const int32_t g_y = g_y_fine + dtheta2_y;  /* F33, |x| <= 0.167 */
+    const int32_t g_z_fine = round_short_1(S_z);  /* F33 */
+    const int32_t g_z = g_z_fine + dtheta2_z;  /* F33, |x| <= 0.167 */
 
     /* k = 9/40 d   [cao (12)] */
     const int64_t k_x_1 = (int64_t)1932735283 /* 9/40 */ * d_x;  /* F67 */
@@ -258,14 +278,11 @@ void rotation_vector_3_coning_fixed32_compensated_update(
     const int32_t coning_x = round_31(coning_x_3);  /* F39, |x| <= 0.00251 */
 
     /* phi, the rounding of the last update added, that of this one kept */
-    const int64_t phi_x_whole_1 = S_x * INT64_C(32);  /* F39 */
-    const int64_t phi_x_whole_2 = phi_x_whole_1 + coning_x;  /* F39 */
-    const int32_t phi_x_carried = state->residual[0];  /* F39 */
-    const int64_t phi_x_whole = phi_x_whole_2 + phi_x_carried;  /* F39 */
-    const int32_t phi_x = round_5(phi_x_whole);  /* F34, |x| <= 0.103 */
-    const int64_t phi_x_left_1 = phi_x * INT64_C(32);  /* F39 */
-    const int64_t phi_x_left = phi_x_whole - phi_x_left_1;  /* F39 */
-    const int32_t phi_x_left_over = (int32_t)phi_x_left;  /* F39 */
+    const int32_t phi_x_fine_carried = state->residual[0];  /* F39 */
+    const int32_t phi_x_fine_whole = coning_x + phi_x_fine_carried;  /* F39 */
+    const int32_t phi_x_fine = round_short_5(phi_x_fine_whole);  /* F34 */
+    const int32_t phi_x_fine_left = left_of_short_5(phi_x_fine_whole, phi_x_fine);  /* F39 */
+    const int32_t phi_x = phi_x_fine + S_x;  /* F34, |x| <= 0.103 */
 
     /* coning = g x k   [cao (12)] */
     const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F70 */
@@ -274,14 +291,11 @@ void rotation_vector_3_coning_fixed32_compensated_update(
     const int32_t coning_y = round_31(coning_y_3);  /* F39, |x| <= 0.00251 */
 
     /* phi, the rounding of the last update added, that of this one kept */
-    const int64_t phi_y_whole_1 = S_y * INT64_C(32);  /* F39 */
-    const int64_t phi_y_whole_2 = phi_y_whole_1 + coning_y;  /* F39 */
-    const int32_t phi_y_carried = state->residual[1];  /* F39 */
-    const int64_t phi_y_whole = phi_y_whole_2 + phi_y_carried;  /* F39 */
-    const int32_t phi_y = round_5(phi_y_whole);  /* F34, |x| <= 0.103 */
-    const int64_t phi_y_left_1 = phi_y * INT64_C(32);  /* F39 */
-    const int64_t phi_y_left = phi_y_whole - phi_y_left_1;  /* F39 */
-    const int32_t phi_y_left_over = (int32_t)phi_y_left;  /* F39 */
+    const int32_t phi_y_fine_carried = state->residual[1];  /* F39 */
+    const int32_t phi_y_fine_whole = coning_y + phi_y_fine_carried;  /* F39 */
+    const int32_t phi_y_fine = round_short_5(phi_y_fine_whole);  /* F34 */
+    const int32_t phi_y_fine_left = left_of_short_5(phi_y_fine_whole, phi_y_fine);  /* F39 */
+    const int32_t phi_y = phi_y_fine + S_y;  /* F34, |x| <= 0.103 */
 
     /* coning = g x k   [cao (12)] */
     const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F70 */
@@ -290,14 +304,11 @@ void rotation_vector_3_coning_fixed32_compensated_update(
     const int32_t coning_z = round_31(coning_z_3);  /* F39, |x| <= 0.00251 */
 
     /* phi, the rounding of the last update added, that of this one kept */
-    const int64_t phi_z_whole_1 = S_z * INT64_C(32);  /* F39 */
-    const int64_t phi_z_whole_2 = phi_z_whole_1 + coning_z;  /* F39 */
-    const int32_t phi_z_carried = state->residual[2];  /* F39 */
-    const int64_t phi_z_whole = phi_z_whole_2 + phi_z_carried;  /* F39 */
-    const int32_t phi_z = round_5(phi_z_whole);  /* F34, |x| <= 0.103 */
-    const int64_t phi_z_left_1 = phi_z * INT64_C(32);  /* F39 */
-    const int64_t phi_z_left = phi_z_whole - phi_z_left_1;  /* F39 */
-    const int32_t phi_z_left_over = (int32_t)phi_z_left;  /* F39 */
+    const int32_t phi_z_fine_carried = state->residual[2];  /* F39 */
+    const int32_t phi_z_fine_whole = coning_z + phi_z_fine_carried;  /* F39 */
+    const int32_t phi_z_fine = round_short_5(phi_z_fine_whole);  /* F34 */
+    const int32_t phi_z_fine_left = left_of_short_5(phi_z_fine_whole, phi_z_fine);  /* F39 */
+    const int32_t phi_z = phi_z_fine + S_z;  /* F34, |x| <= 0.103 */
 
     /* phi_square = |phi|^2 */
     const int64_t phi_square_1 = (int64_t)phi_x * phi_x;  /* F68 */
@@ -327,42 +338,33 @@ void rotation_vector_3_coning_fixed32_compensated_update(
     const int32_t bent_x = round_32(bent_x_1);  /* F45, |x| <= 2.23e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int64_t v_x_whole_1 = phi_x * INT64_C(1024);  /* F45 */
-    const int64_t v_x_whole_2 = v_x_whole_1 + bent_x;  /* F45 */
-    const int32_t v_x_carried = state->residual[3];  /* F45 */
-    const int64_t v_x_whole = v_x_whole_2 + v_x_carried;  /* F45 */
-    const int32_t v_x = round_10(v_x_whole);  /* F35, |x| <= 0.0512 */
-    const int64_t v_x_left_1 = v_x * INT64_C(1024);  /* F45 */
-    const int64_t v_x_left = v_x_whole - v_x_left_1;  /* F45 */
-    const int32_t v_x_left_over = (int32_t)v_x_left;  /* F45 */
+    const int32_t v_x_fine_carried = state->residual[3];  /* F45 */
+    const int32_t v_x_fine_whole = bent_x + v_x_fine_carried;  /* F45 */
+    const int32_t v_x_fine = round_short_10(v_x_fine_whole);  /* F35 */
+    const int32_t v_x_fine_left = left_of_short_10(v_x_fine_whole, v_x_fine);  /* F45 */
+    const int32_t v_x = v_x_fine + phi_x;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F77 */
     const int32_t bent_y = round_32(bent_y_1);  /* F45, |x| <= 2.23e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int64_t v_y_whole_1 = phi_y * INT64_C(1024);  /* F45 */
-    const int64_t v_y_whole_2 = v_y_whole_1 + bent_y;  /* F45 */
-    const int32_t v_y_carried = state->residual[4];  /* F45 */
-    const int64_t v_y_whole = v_y_whole_2 + v_y_carried;  /* F45 */
-    const int32_t v_y = round_10(v_y_whole);  /* F35, |x| <= 0.0512 */
-    const int64_t v_y_left_1 = v_y * INT64_C(1024);  /* F45 */
-    const int64_t v_y_left = v_y_whole - v_y_left_1;  /* F45 */
-    const int32_t v_y_left_over = (int32_t)v_y_left;  /* F45 */
+    const int32_t v_y_fine_carried = state->residual[4];  /* F45 */
+    const int32_t v_y_fine_whole = bent_y + v_y_fine_carried;  /* F45 */
+    const int32_t v_y_fine = round_short_10(v_y_fine_whole);  /* F35 */
+    const int32_t v_y_fine_left = left_of_short_10(v_y_fine_whole, v_y_fine);  /* F45 */
+    const int32_t v_y = v_y_fine + phi_y;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F77 */
     const int32_t bent_z = round_32(bent_z_1);  /* F45, |x| <= 2.23e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int64_t v_z_whole_1 = phi_z * INT64_C(1024);  /* F45 */
-    const int64_t v_z_whole_2 = v_z_whole_1 + bent_z;  /* F45 */
-    const int32_t v_z_carried = state->residual[5];  /* F45 */
-    const int64_t v_z_whole = v_z_whole_2 + v_z_carried;  /* F45 */
-    const int32_t v_z = round_10(v_z_whole);  /* F35, |x| <= 0.0512 */
-    const int64_t v_z_left_1 = v_z * INT64_C(1024);  /* F45 */
-    const int64_t v_z_left = v_z_whole - v_z_left_1;  /* F45 */
-    const int32_t v_z_left_over = (int32_t)v_z_left;  /* F45 */
+    const int32_t v_z_fine_carried = state->residual[5];  /* F45 */
+    const int32_t v_z_fine_whole = bent_z + v_z_fine_carried;  /* F45 */
+    const int32_t v_z_fine = round_short_10(v_z_fine_whole);  /* F35 */
+    const int32_t v_z_fine_left = left_of_short_10(v_z_fine_whole, v_z_fine);  /* F45 */
+    const int32_t v_z = v_z_fine + phi_z;  /* F35, |x| <= 0.0512 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
     const int64_t u_7 = (int64_t)phi_square * u_6;  /* F70 */
@@ -379,68 +381,56 @@ void rotation_vector_3_coning_fixed32_compensated_update(
     const int64_t a_8 = a_6 - a_7;  /* F61 */
     const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
     const int64_t a_10 = a_8 - a_9;  /* F61 */
-    const int32_t a = round_24(a_10);  /* F37, |x| <= 0.00522 */
+    const int32_t a = round_26(a_10);  /* F35, |x| <= 0.00522 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F67 */
+    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F65 */
     const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
-    const int64_t dq_w_3 = dq_w_2 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_4 = dq_w_1 - dq_w_3;  /* F67 */
-    const int64_t dq_w_5 = (int64_t)q_y * v_y;  /* F65 */
-    const int64_t dq_w_6 = dq_w_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_7 = dq_w_4 - dq_w_6;  /* F67 */
-    const int64_t dq_w_8 = (int64_t)q_z * v_z;  /* F65 */
-    const int64_t dq_w_9 = dq_w_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_10 = dq_w_7 - dq_w_9;  /* F67 */
-    const int64_t dq_w = round_wide_5(dq_w_10);  /* F62, |x| <= 0.0516 */
+    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F65 */
+    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F65 */
+    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F65 */
+    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F65 */
+    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F65 */
+    const int64_t dq_w = round_wide_3(dq_w_7);  /* F62, |x| <= 0.0516 */
 
     /* q_next = q + dq */
     const int64_t q_next_w = q_w_whole + dq_w;  /* F62, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F65 */
-    const int64_t dq_x_2 = dq_x_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_3 = (int64_t)q_x * a;  /* F67 */
-    const int64_t dq_x_4 = dq_x_2 + dq_x_3;  /* F67 */
-    const int64_t dq_x_5 = (int64_t)q_y * v_z;  /* F65 */
-    const int64_t dq_x_6 = dq_x_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_7 = dq_x_4 + dq_x_6;  /* F67 */
-    const int64_t dq_x_8 = (int64_t)q_z * v_y;  /* F65 */
-    const int64_t dq_x_9 = dq_x_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_10 = dq_x_7 - dq_x_9;  /* F67 */
-    const int64_t dq_x = round_wide_5(dq_x_10);  /* F62, |x| <= 0.0516 */
+    const int64_t dq_x_2 = (int64_t)q_x * a;  /* F65 */
+    const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F65 */
+    const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F65 */
+    const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F65 */
+    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F65 */
+    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F65 */
+    const int64_t dq_x = round_wide_3(dq_x_7);  /* F62, |x| <= 0.0516 */
 
     /* q_next = q + dq */
     const int64_t q_next_x = q_x_whole + dq_x;  /* F62, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F65 */
-    const int64_t dq_y_2 = dq_y_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_3 = (int64_t)q_y * a;  /* F67 */
-    const int64_t dq_y_4 = dq_y_2 + dq_y_3;  /* F67 */
-    const int64_t dq_y_5 = (int64_t)q_z * v_x;  /* F65 */
-    const int64_t dq_y_6 = dq_y_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_7 = dq_y_4 + dq_y_6;  /* F67 */
-    const int64_t dq_y_8 = (int64_t)q_x * v_z;  /* F65 */
-    const int64_t dq_y_9 = dq_y_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_10 = dq_y_7 - dq_y_9;  /* F67 */
-    const int64_t dq_y = round_wide_5(dq_y_10);  /* F62, |x| <= 0.0516 */
+    const int64_t dq_y_2 = (int64_t)q_y * a;  /* F65 */
+    const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F65 */
+    const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F65 */
+    const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F65 */
+    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F65 */
+    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F65 */
+    const int64_t dq_y = round_wide_3(dq_y_7);  /* F62, |x| <= 0.0516 */
 
     /* q_next = q + dq */
     const int64_t q_next_y = q_y_whole + dq_y;  /* F62, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F65 */
-    const int64_t dq_z_2 = dq_z_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_3 = (int64_t)q_z * a;  /* F67 */
-    const int64_t dq_z_4 = dq_z_2 + dq_z_3;  /* F67 */
-    const int64_t dq_z_5 = (int64_t)q_x * v_y;  /* F65 */
-    const int64_t dq_z_6 = dq_z_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_7 = dq_z_4 + dq_z_6;  /* F67 */
-    const int64_t dq_z_8 = (int64_t)q_y * v_x;  /* F65 */
-    const int64_t dq_z_9 = dq_z_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_10 = dq_z_7 - dq_z_9;  /* F67 */
-    const int64_t dq_z = round_wide_5(dq_z_10);  /* F62, |x| <= 0.0516 */
+    const int64_t dq_z_2 = (int64_t)q_z * a;  /* F65 */
+    const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F65 */
+    const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F65 */
+    const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F65 */
+    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F65 */
+    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F65 */
+    const int64_t dq_z = round_wide_3(dq_z_7);  /* F62, |x| <= 0.0516 */
 
     /* q_next = q + dq */
     const int64_t q_next_z = q_z_whole + dq_z;  /* F62, |x| <= 1.01 */
@@ -452,12 +442,12 @@ void rotation_vector_3_coning_fixed32_compensated_update(
     state->q[3] = q_next_z;
 
     /* carry the roundings to the next update */
-    state->residual[0] = phi_x_left_over;
-    state->residual[1] = phi_y_left_over;
-    state->residual[2] = phi_z_left_over;
-    state->residual[3] = v_x_left_over;
-    state->residual[4] = v_y_left_over;
-    state->residual[5] = v_z_left_over;
+    state->residual[0] = phi_x_fine_left;
+    state->residual[1] = phi_y_fine_left;
+    state->residual[2] = phi_z_fine_left;
+    state->residual[3] = v_x_fine_left;
+    state->residual[4] = v_y_fine_left;
+    state->residual[5] = v_z_fine_left;
 }
 
 void rotation_vector_3_coning_fixed32_compensated_quaternion(

@@ -26,7 +26,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       44       0   37        13       0       0     0     0     0       0      0
  * update shared           40       4   37        13       0       0     0     0     0       0      0
- * update emitted          40       0   34        25       0       0     0     0     0       0     61
+ * update emitted          40       0   34        25       0       0     0     0     0       0     34
  * dcm as-written           9       0    9         6       0       0     0     0     0       0      0
  * dcm shared               9       0    9         6       0       0     0     0     0       0      0
  * dcm emitted              9       0    3         9       0       0     0     0     0       0     19

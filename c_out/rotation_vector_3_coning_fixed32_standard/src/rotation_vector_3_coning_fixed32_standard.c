@@ -25,7 +25,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       43       0   33        13       0       0     0     0     0       0      0
  * update shared           39       4   33        13       0       0     0     0     0       0      0
- * update emitted          39       0   24        18       0       0     0     0     0       0     36
+ * update emitted          39       0   24        18       0       0     0     0     0       0     33
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -40,30 +40,22 @@
 #endif
 
 
+/* x / 2^bits, rounded down, 0 <= bits < 32. */
+static inline int32_t shift_right_32(int32_t x, int bits)
+{
+    return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
 /* x / 2^bits, rounded down, 0 <= bits < 64. */
 static inline int64_t shift_right_64(int64_t x, int bits)
 {
     return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
 }
 
-/* x / 2^1, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_1(int64_t x)
+/* x / 2^7, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_7(int64_t x)
 {
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1)) >> 1);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_10(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^11, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_11(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1024)) >> 11);
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(64)) >> 7);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -71,13 +63,6 @@ static inline int32_t round_11(int64_t x)
 static inline int32_t round_21(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1048576)) >> 21);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^27, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_27(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(67108864)) >> 27);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -106,6 +91,18 @@ static inline int32_t round_32(int64_t x)
 static inline int32_t round_36(int64_t x)
 {
     return (int32_t)shift_right_64(x + INT64_C(34359738368), 36);
+}
+
+/* x / 2^1, rounded to nearest, halves up. */
+static inline int32_t round_short_1(int32_t x)
+{
+    return shift_right_32(x + 1, 1);
+}
+
+/* x / 2^10, rounded to nearest, halves up. */
+static inline int32_t round_short_10(int32_t x)
+{
+    return shift_right_32(x + 512, 10);
 }
 
 void rotation_vector_3_coning_fixed32_standard_init(rotation_vector_3_coning_fixed32_standard_state *state)
@@ -139,24 +136,20 @@ void rotation_vector_3_coning_fixed32_standard_set_quaternion(
     /* q_next = q + e q */
     const int64_t q_next_w_part_1 = (int64_t)e * q_nb_w;  /* F70 */
     const int32_t q_next_w_part = round_30(q_next_w_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_w_1 = q_nb_w * INT64_C(1024);  /* F40 */
-    const int64_t q_next_w_2 = q_next_w_1 + q_next_w_part;  /* F40 */
-    const int32_t q_next_w = round_10(q_next_w_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_w_fine = round_short_10(q_next_w_part);  /* F30 */
+    const int32_t q_next_w = q_next_w_fine + q_nb_w;  /* F30, |x| <= 1.01 */
     const int64_t q_next_x_part_1 = (int64_t)e * q_nb_x;  /* F70 */
     const int32_t q_next_x_part = round_30(q_next_x_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_x_1 = q_nb_x * INT64_C(1024);  /* F40 */
-    const int64_t q_next_x_2 = q_next_x_1 + q_next_x_part;  /* F40 */
-    const int32_t q_next_x = round_10(q_next_x_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_x_fine = round_short_10(q_next_x_part);  /* F30 */
+    const int32_t q_next_x = q_next_x_fine + q_nb_x;  /* F30, |x| <= 1.01 */
     const int64_t q_next_y_part_1 = (int64_t)e * q_nb_y;  /* F70 */
     const int32_t q_next_y_part = round_30(q_next_y_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_y_1 = q_nb_y * INT64_C(1024);  /* F40 */
-    const int64_t q_next_y_2 = q_next_y_1 + q_next_y_part;  /* F40 */
-    const int32_t q_next_y = round_10(q_next_y_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_y_fine = round_short_10(q_next_y_part);  /* F30 */
+    const int32_t q_next_y = q_next_y_fine + q_nb_y;  /* F30, |x| <= 1.01 */
     const int64_t q_next_z_part_1 = (int64_t)e * q_nb_z;  /* F70 */
     const int32_t q_next_z_part = round_30(q_next_z_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_z_1 = q_nb_z * INT64_C(1024);  /* F40 */
-    const int64_t q_next_z_2 = q_next_z_1 + q_next_z_part;  /* F40 */
-    const int32_t q_next_z = round_10(q_next_z_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_z_fine = round_short_10(q_next_z_part);  /* F30 */
+    const int32_t q_next_z = q_next_z_fine + q_nb_z;  /* F30, |x| <= 1.01 */
 
     /* store */
     state->q[0] = q_next_w;
@@ -197,15 +190,12 @@ void rotation_vector_3_coning_fixed32_standard_update(
     const int32_t S_z = S_z_1 + dtheta2_z;  /* F34, |x| <= 0.101 */
 
     /* g = S + 2 theta_2   [cao (12)] */
-    const int64_t g_x_1 = dtheta2_x * INT64_C(2);  /* F34 */
-    const int64_t g_x_2 = S_x + g_x_1;  /* F34 */
-    const int32_t g_x = round_1(g_x_2);  /* F33, |x| <= 0.167 */
-    const int64_t g_y_1 = dtheta2_y * INT64_C(2);  /* F34 */
-    const int64_t g_y_2 = S_y + g_y_1;  /* F34 */
-    const int32_t g_y = round_1(g_y_2);  /* F33, |x| <= 0.167 */
-    const int64_t g_z_1 = dtheta2_z * INT64_C(2);  /* F34 */
-    const int64_t g_z_2 = S_z + g_z_1;  /* F34 */
-    const int32_t g_z = round_1(g_z_2);  /* F33, |x| <= 0.167 */
+    const int32_t g_x_fine = round_short_1(S_x);  /* F33 */
+    const int32_t g_x = g_x_fine + dtheta2_x;  /* F33, |x| <= 0.167 */
+    const int32_t g_y_fine = round_short_1(S_y);  /* F33 */
+    const int32_t g_y = g_y_fine + dtheta2_y;  /* F33, |x| <= 0.167 */
+    const int32_t g_z_fine = round_short_1(S_z);  /* F33 */
+    const int32_t g_z = g_z_fine + dtheta2_z;  /* F33, |x| <= 0.167 */
 
     /* k = 9/40 d   [cao (12)] */
     const int64_t k_x_1 = (int64_t)1932735283 /* 9/40 */ * d_x;  /* F67 */
@@ -260,34 +250,34 @@ void rotation_vector_3_coning_fixed32_standard_update(
     const int64_t y_2 = y_1 - INT64_C(384307165617423277) /* 3097422/148676257 */;  /* F64 */
     const int32_t y_3 = round_32(y_2);  /* F32, |x| <= 0.0209 */
     const int64_t y_4 = (int64_t)phi_square * y_3;  /* F68 */
-    const int32_t y = round_27(y_4);  /* F41, |x| <= 0.000218 */
+    const int32_t y = round_31(y_4);  /* F37, |x| <= 0.000218 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F75 */
-    const int32_t bent_x = round_32(bent_x_1);  /* F43, |x| <= 2.23e-05 */
+    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F71 */
+    const int32_t bent_x = round_32(bent_x_1);  /* F39, |x| <= 2.23e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_x_1 = phi_x * INT64_C(256);  /* F43 */
-    const int64_t v_x_2 = v_x_1 + bent_x;  /* F43 */
-    const int32_t v_x = round_11(v_x_2);  /* F32, |x| <= 0.0512 */
+    const int64_t v_x_1 = phi_x * INT64_C(16);  /* F39 */
+    const int64_t v_x_2 = v_x_1 + bent_x;  /* F39 */
+    const int32_t v_x = round_7(v_x_2);  /* F32, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F75 */
-    const int32_t bent_y = round_32(bent_y_1);  /* F43, |x| <= 2.23e-05 */
+    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F71 */
+    const int32_t bent_y = round_32(bent_y_1);  /* F39, |x| <= 2.23e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_y_1 = phi_y * INT64_C(256);  /* F43 */
-    const int64_t v_y_2 = v_y_1 + bent_y;  /* F43 */
-    const int32_t v_y = round_11(v_y_2);  /* F32, |x| <= 0.0512 */
+    const int64_t v_y_1 = phi_y * INT64_C(16);  /* F39 */
+    const int64_t v_y_2 = v_y_1 + bent_y;  /* F39 */
+    const int32_t v_y = round_7(v_y_2);  /* F32, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F75 */
-    const int32_t bent_z = round_32(bent_z_1);  /* F43, |x| <= 2.23e-05 */
+    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F71 */
+    const int32_t bent_z = round_32(bent_z_1);  /* F39, |x| <= 2.23e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_z_1 = phi_z * INT64_C(256);  /* F43 */
-    const int64_t v_z_2 = v_z_1 + bent_z;  /* F43 */
-    const int32_t v_z = round_11(v_z_2);  /* F32, |x| <= 0.0512 */
+    const int64_t v_z_1 = phi_z * INT64_C(16);  /* F39 */
+    const int64_t v_z_2 = v_z_1 + bent_z;  /* F39 */
+    const int32_t v_z = round_7(v_z_2);  /* F32, |x| <= 0.0512 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
     const int64_t u_4 = (int64_t)phi_square * u_3;  /* F66 */

@@ -25,7 +25,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       43       0   33        13       0       0     0     0     0       0      0
  * update shared           39       4   33        13       0       0     0     0     0       0      0
- * update emitted          39       0   24        18       0       0     0     0     0       0     36
+ * update emitted          39       0   24        18       0       0     0     0     0       0     33
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

@@ -27,7 +27,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       80       0   64        13       0       0     0     0     0       0      0
  * update shared           76       4   64        13       0       0     0     0     0       0      0
- * update emitted          76       0   43        31       0       0     0     0     0       9     84
+ * update emitted          76       0   43        31       0       0     0     0     0       9     78
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -41,6 +41,12 @@
 #error "rotation_vector_3_coning_rate_fixed32.h is of another version than this file: generate both again"
 #endif
 
+
+/* x / 2^bits, rounded down, 0 <= bits < 32. */
+static inline int32_t shift_right_32(int32_t x, int bits)
+{
+    return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
 
 /* x / 2^bits, rounded down, 0 <= bits < 64. */
 static inline int64_t shift_right_64(int64_t x, int bits)
@@ -65,20 +71,6 @@ static inline int32_t round_1(int64_t x)
 static inline int32_t round_2(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(2)) >> 2);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^9, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_9(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(256)) >> 9);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_10(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -135,6 +127,24 @@ static inline int32_t round_41(int64_t x)
     return (int32_t)shift_right_64(x + INT64_C(1099511627776), 41);
 }
 
+/* x / 2^1, rounded to nearest, halves up. */
+static inline int32_t round_short_1(int32_t x)
+{
+    return shift_right_32(x + 1, 1);
+}
+
+/* x / 2^9, rounded to nearest, halves up. */
+static inline int32_t round_short_9(int32_t x)
+{
+    return shift_right_32(x + 256, 9);
+}
+
+/* x / 2^10, rounded to nearest, halves up. */
+static inline int32_t round_short_10(int32_t x)
+{
+    return shift_right_32(x + 512, 10);
+}
+
 void rotation_vector_3_coning_rate_fixed32_init(rotation_vector_3_coning_rate_fixed32_state *state)
 {
     state->q[0] = 1073741824 /* 1 */;
@@ -169,24 +179,20 @@ void rotation_vector_3_coning_rate_fixed32_set_quaternion(
     /* q_next = q + e q */
     const int64_t q_next_w_part_1 = (int64_t)e * q_nb_w;  /* F70 */
     const int32_t q_next_w_part = round_30(q_next_w_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_w_1 = q_nb_w * INT64_C(1024);  /* F40 */
-    const int64_t q_next_w_2 = q_next_w_1 + q_next_w_part;  /* F40 */
-    const int32_t q_next_w = round_10(q_next_w_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_w_fine = round_short_10(q_next_w_part);  /* F30 */
+    const int32_t q_next_w = q_next_w_fine + q_nb_w;  /* F30, |x| <= 1.01 */
     const int64_t q_next_x_part_1 = (int64_t)e * q_nb_x;  /* F70 */
     const int32_t q_next_x_part = round_30(q_next_x_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_x_1 = q_nb_x * INT64_C(1024);  /* F40 */
-    const int64_t q_next_x_2 = q_next_x_1 + q_next_x_part;  /* F40 */
-    const int32_t q_next_x = round_10(q_next_x_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_x_fine = round_short_10(q_next_x_part);  /* F30 */
+    const int32_t q_next_x = q_next_x_fine + q_nb_x;  /* F30, |x| <= 1.01 */
     const int64_t q_next_y_part_1 = (int64_t)e * q_nb_y;  /* F70 */
     const int32_t q_next_y_part = round_30(q_next_y_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_y_1 = q_nb_y * INT64_C(1024);  /* F40 */
-    const int64_t q_next_y_2 = q_next_y_1 + q_next_y_part;  /* F40 */
-    const int32_t q_next_y = round_10(q_next_y_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_y_fine = round_short_10(q_next_y_part);  /* F30 */
+    const int32_t q_next_y = q_next_y_fine + q_nb_y;  /* F30, |x| <= 1.01 */
     const int64_t q_next_z_part_1 = (int64_t)e * q_nb_z;  /* F70 */
     const int32_t q_next_z_part = round_30(q_next_z_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_z_1 = q_nb_z * INT64_C(1024);  /* F40 */
-    const int64_t q_next_z_2 = q_next_z_1 + q_next_z_part;  /* F40 */
-    const int32_t q_next_z = round_10(q_next_z_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_z_fine = round_short_10(q_next_z_part);  /* F30 */
+    const int32_t q_next_z = q_next_z_fine + q_nb_z;  /* F30, |x| <= 1.01 */
 
     /* store */
     state->q[0] = q_next_w;
@@ -367,15 +373,12 @@ void rotation_vector_3_coning_rate_fixed32_update(
     const int32_t S_z = round_2(S_z_2);  /* F33, |x| <= 0.145 */
 
     /* g = S + 2 theta_2   [cao (12)] */
-    const int64_t g_x_1 = S_x * INT64_C(2);  /* F34 */
-    const int64_t g_x_2 = g_x_1 + theta2_x;  /* F34 */
-    const int32_t g_x = round_1(g_x_2);  /* F33, |x| <= 0.225 */
-    const int64_t g_y_1 = S_y * INT64_C(2);  /* F34 */
-    const int64_t g_y_2 = g_y_1 + theta2_y;  /* F34 */
-    const int32_t g_y = round_1(g_y_2);  /* F33, |x| <= 0.225 */
-    const int64_t g_z_1 = S_z * INT64_C(2);  /* F34 */
-    const int64_t g_z_2 = g_z_1 + theta2_z;  /* F34 */
-    const int32_t g_z = round_1(g_z_2);  /* F33, |x| <= 0.225 */
+    const int32_t g_x_fine = round_short_1(theta2_x);  /* F33 */
+    const int32_t g_x = g_x_fine + S_x;  /* F33, |x| <= 0.225 */
+    const int32_t g_y_fine = round_short_1(theta2_y);  /* F33 */
+    const int32_t g_y = g_y_fine + S_y;  /* F33, |x| <= 0.225 */
+    const int32_t g_z_fine = round_short_1(theta2_z);  /* F33 */
+    const int32_t g_z = g_z_fine + S_z;  /* F33, |x| <= 0.225 */
 
     /* k = 9/40 d   [cao (12)] */
     const int64_t k_x_1 = (int64_t)1932735283 /* 9/40 */ * d_x;  /* F67 */
@@ -440,27 +443,24 @@ void rotation_vector_3_coning_rate_fixed32_update(
     const int32_t bent_x = round_30(bent_x_1);  /* F43, |x| <= 0.000194 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_x_1 = phi_x * INT64_C(512);  /* F43 */
-    const int64_t v_x_2 = v_x_1 + bent_x;  /* F43 */
-    const int32_t v_x = round_9(v_x_2);  /* F34, |x| <= 0.0778 */
+    const int32_t v_x_fine = round_short_9(bent_x);  /* F34 */
+    const int32_t v_x = v_x_fine + phi_x;  /* F34, |x| <= 0.0778 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F73 */
     const int32_t bent_y = round_30(bent_y_1);  /* F43, |x| <= 0.000194 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_y_1 = phi_y * INT64_C(512);  /* F43 */
-    const int64_t v_y_2 = v_y_1 + bent_y;  /* F43 */
-    const int32_t v_y = round_9(v_y_2);  /* F34, |x| <= 0.0778 */
+    const int32_t v_y_fine = round_short_9(bent_y);  /* F34 */
+    const int32_t v_y = v_y_fine + phi_y;  /* F34, |x| <= 0.0778 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F73 */
     const int32_t bent_z = round_30(bent_z_1);  /* F43, |x| <= 0.000194 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_z_1 = phi_z * INT64_C(512);  /* F43 */
-    const int64_t v_z_2 = v_z_1 + bent_z;  /* F43 */
-    const int32_t v_z = round_9(v_z_2);  /* F34, |x| <= 0.0778 */
+    const int32_t v_z_fine = round_short_9(bent_z);  /* F34 */
+    const int32_t v_z = v_z_fine + phi_z;  /* F34, |x| <= 0.0778 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
     const int64_t u_7 = (int64_t)phi_square * u_6;  /* F68 */

@@ -27,7 +27,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       80       0   64        13       0       0     0     0     0       0      0
  * update shared           76       4   64        13       0       0     0     0     0       0      0
- * update emitted          76       0   43        31       0       0     0     0     0       9     84
+ * update emitted          76       0   43        31       0       0     0     0     0       9     78
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

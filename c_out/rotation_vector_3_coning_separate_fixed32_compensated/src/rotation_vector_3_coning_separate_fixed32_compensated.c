@@ -14,13 +14,13 @@
  * flags:       -std=c99; no other flag matters
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.033336 rad; |phi|
- *              <= 0.1021 rad; | |q| - 1 | <= 0.0156 for 27501818 updates after it was set or
+ *              <= 0.1021 rad; | |q| - 1 | <= 0.0156 for 26402897 updates after it was set or
  *              renormalised, proved; within it no sum overflows, as is proved; beyond it nothing
  *              is promised: clamp inputs that can be so large
  * truncation:  minimax polynomials of degree 3 (cos) and 2 (sin) in |phi|^2; error of r at most
  *              2.5e-15 (scalar), 5.5e-15 (vector), proved over the rationals
- * rounding:    one update is within 5.3e-10 of exact arithmetic, in the norm of the components,
- *              what is carried included, which does not add up; it adds at most 5.3e-10 to the
+ * rounding:    one update is within 5.5e-10 of exact arithmetic, in the norm of the components,
+ *              what is carried included, which does not add up; it adds at most 5.5e-10 to the
  *              length; proved
  * high words:  5 of 15 rounded sums of products drop a whole word, 2 before formats were searched
  *              for that; of one update's errors in the first order it made 3.1e-10 of 3.1e-10
@@ -28,7 +28,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       39       0   33        12       0       0     0     0     0       0      0
  * update shared           36       3   33        12       0       0     0     0     0       0      0
- * update emitted          36       0   33        21       0       0     0     0     0       0     59
+ * update emitted          36       0   33        21       0       0     0     0     0       0     32
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -43,31 +43,36 @@
 #endif
 
 
+/* The word of 32 bits with these bits. */
+static inline int32_t wrapped_32(uint32_t bits)
+{
+    return (bits <= (uint32_t)2147483647) ? (int32_t)bits : (-(int32_t)(~bits) - 1);
+}
+
+/* x / 2^bits, rounded down, 0 <= bits < 32. */
+static inline int32_t shift_right_32(int32_t x, int bits)
+{
+    return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
 /* x / 2^bits, rounded down, 0 <= bits < 64. */
 static inline int64_t shift_right_64(int64_t x, int bits)
 {
     return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
 }
 
-/* x / 2^1, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_1(int64_t x)
+/* whole - 2^5 rounded; the result fits 32 bits. */
+static inline int32_t left_of_short_5(int32_t whole, int32_t rounded)
 {
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1)) >> 1);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 5);
+    return wrapped_32(left);
 }
 
-/* x / 2^5, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_5(int64_t x)
+/* whole - 2^10 rounded; the result fits 32 bits. */
+static inline int32_t left_of_short_10(int32_t whole, int32_t rounded)
 {
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(16)) >> 5);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_10(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 10);
+    return wrapped_32(left);
 }
 
 /* x / 2^21, rounded to nearest, halves up; the result fits 32 bits. */
@@ -105,10 +110,10 @@ static inline int32_t round_32(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^33, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_33(int64_t x)
+/* x / 2^35, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_35(int64_t x)
 {
-    return (int32_t)shift_right_64(x + INT64_C(4294967296), 33);
+    return (int32_t)shift_right_64(x + INT64_C(17179869184), 35);
 }
 
 /* x / 2^43, rounded to nearest, halves up; the result fits 32 bits. */
@@ -117,16 +122,34 @@ static inline int32_t round_43(int64_t x)
     return (int32_t)shift_right_64(x + INT64_C(4398046511104), 43);
 }
 
+/* x / 2^1, rounded to nearest, halves up. */
+static inline int32_t round_short_1(int32_t x)
+{
+    return shift_right_32(x + 1, 1);
+}
+
+/* x / 2^5, rounded to nearest, halves up. */
+static inline int32_t round_short_5(int32_t x)
+{
+    return shift_right_32(x + 16, 5);
+}
+
+/* x / 2^10, rounded to nearest, halves up. */
+static inline int32_t round_short_10(int32_t x)
+{
+    return shift_right_32(x + 512, 10);
+}
+
+/* x / 2^3, rounded to nearest, halves up. */
+static inline int64_t round_wide_3(int64_t x)
+{
+    return shift_right_64(x + INT64_C(4), 3);
+}
+
 /* x / 2^4, rounded to nearest, halves up. */
 static inline int64_t round_wide_4(int64_t x)
 {
     return shift_right_64(x + INT64_C(8), 4);
-}
-
-/* x / 2^5, rounded to nearest, halves up. */
-static inline int64_t round_wide_5(int64_t x)
-{
-    return shift_right_64(x + INT64_C(16), 5);
 }
 
 /* x / 2^8, rounded to nearest, halves up. */
@@ -237,15 +260,12 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     const int32_t S_z = S_z_1 + dtheta2_z;  /* F34, |x| <= 0.101 */
 
     /* g = S + 2 theta_2   [cao (12)] */
-    const int64_t g_x_1 = dtheta2_x * INT64_C(2);  /* F34 */
-    const int64_t g_x_2 = S_x + g_x_1;  /* F34 */
-    const int32_t g_x = round_1(g_x_2);  /* F33, |x| <= 0.167 */
-    const int64_t g_y_1 = dtheta2_y * INT64_C(2);  /* F34 */
-    const int64_t g_y_2 = S_y + g_y_1;  /* F34 */
-    const int32_t g_y = round_1(g_y_2);  /* F33, |x| <= 0.167 */
-    const int64_t g_z_1 = dtheta2_z * INT64_C(2);  /* F34 */
-    const int64_t g_z_2 = S_z + g_z_1;  /* F34 */
-    const int32_t g_z = round_1(g_z_2);  /* F33, |x| <= 0.167 */
+    const int32_t g_x_fine = round_short_1(S_x);  /* F33 */
+    const int32_t g_x = g_x_fine + dtheta2_x;  /* F33, |x| <= 0.167 */
+    const int32_t g_y_fine = round_short_1(S_y);  /* F33 */
+    const int32_t g_y = g_y_fine + dtheta2_y;  /* F33, |x| <= 0.167 */
+    const int32_t g_z_fine = round_short_1(S_z);  /* F33 */
+    const int32_t g_z = g_z_fine + dtheta2_z;  /* F33, |x| <= 0.167 */
 
     /* k = 9/40 d   [cao (12)] */
     const int64_t k_x_1 = (int64_t)1932735283 /* 9/40 */ * d_x;  /* F67 */
@@ -262,14 +282,11 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     const int32_t coning_x = round_31(coning_x_3);  /* F39, |x| <= 0.00251 */
 
     /* phi, the rounding of the last update added, that of this one kept */
-    const int64_t phi_x_whole_1 = S_x * INT64_C(32);  /* F39 */
-    const int64_t phi_x_whole_2 = phi_x_whole_1 + coning_x;  /* F39 */
-    const int32_t phi_x_carried = state->residual[0];  /* F39 */
-    const int64_t phi_x_whole = phi_x_whole_2 + phi_x_carried;  /* F39 */
-    const int32_t phi_x = round_5(phi_x_whole);  /* F34, |x| <= 0.103 */
-    const int64_t phi_x_left_1 = phi_x * INT64_C(32);  /* F39 */
-    const int64_t phi_x_left = phi_x_whole - phi_x_left_1;  /* F39 */
-    const int32_t phi_x_left_over = (int32_t)phi_x_left;  /* F39 */
+    const int32_t phi_x_fine_carried = state->residual[0];  /* F39 */
+    const int32_t phi_x_fine_whole = coning_x + phi_x_fine_carried;  /* F39 */
+    const int32_t phi_x_fine = round_short_5(phi_x_fine_whole);  /* F34 */
+    const int32_t phi_x_fine_left = left_of_short_5(phi_x_fine_whole, phi_x_fine);  /* F39 */
+    const int32_t phi_x = phi_x_fine + S_x;  /* F34, |x| <= 0.103 */
 
     /* coning = g x k   [cao (12)] */
     const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F70 */
@@ -278,14 +295,11 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     const int32_t coning_y = round_31(coning_y_3);  /* F39, |x| <= 0.00251 */
 
     /* phi, the rounding of the last update added, that of this one kept */
-    const int64_t phi_y_whole_1 = S_y * INT64_C(32);  /* F39 */
-    const int64_t phi_y_whole_2 = phi_y_whole_1 + coning_y;  /* F39 */
-    const int32_t phi_y_carried = state->residual[1];  /* F39 */
-    const int64_t phi_y_whole = phi_y_whole_2 + phi_y_carried;  /* F39 */
-    const int32_t phi_y = round_5(phi_y_whole);  /* F34, |x| <= 0.103 */
-    const int64_t phi_y_left_1 = phi_y * INT64_C(32);  /* F39 */
-    const int64_t phi_y_left = phi_y_whole - phi_y_left_1;  /* F39 */
-    const int32_t phi_y_left_over = (int32_t)phi_y_left;  /* F39 */
+    const int32_t phi_y_fine_carried = state->residual[1];  /* F39 */
+    const int32_t phi_y_fine_whole = coning_y + phi_y_fine_carried;  /* F39 */
+    const int32_t phi_y_fine = round_short_5(phi_y_fine_whole);  /* F34 */
+    const int32_t phi_y_fine_left = left_of_short_5(phi_y_fine_whole, phi_y_fine);  /* F39 */
+    const int32_t phi_y = phi_y_fine + S_y;  /* F34, |x| <= 0.103 */
 
     /* coning = g x k   [cao (12)] */
     const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F70 */
@@ -294,14 +308,11 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     const int32_t coning_z = round_31(coning_z_3);  /* F39, |x| <= 0.00251 */
 
     /* phi, the rounding of the last update added, that of this one kept */
-    const int64_t phi_z_whole_1 = S_z * INT64_C(32);  /* F39 */
-    const int64_t phi_z_whole_2 = phi_z_whole_1 + coning_z;  /* F39 */
-    const int32_t phi_z_carried = state->residual[2];  /* F39 */
-    const int64_t phi_z_whole = phi_z_whole_2 + phi_z_carried;  /* F39 */
-    const int32_t phi_z = round_5(phi_z_whole);  /* F34, |x| <= 0.103 */
-    const int64_t phi_z_left_1 = phi_z * INT64_C(32);  /* F39 */
-    const int64_t phi_z_left = phi_z_whole - phi_z_left_1;  /* F39 */
-    const int32_t phi_z_left_over = (int32_t)phi_z_left;  /* F39 */
+    const int32_t phi_z_fine_carried = state->residual[2];  /* F39 */
+    const int32_t phi_z_fine_whole = coning_z + phi_z_fine_carried;  /* F39 */
+    const int32_t phi_z_fine = round_short_5(phi_z_fine_whole);  /* F34 */
+    const int32_t phi_z_fine_left = left_of_short_5(phi_z_fine_whole, phi_z_fine);  /* F39 */
+    const int32_t phi_z = phi_z_fine + S_z;  /* F34, |x| <= 0.103 */
 
     /* phi_square = |phi|^2 */
     const int64_t phi_square_1 = (int64_t)phi_x * phi_x;  /* F68 */
@@ -319,7 +330,7 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     const int64_t u_5 = u_4 - INT64_C(4611686018427387904) /* 1/8 */;  /* F65 */
     const int32_t u_6 = round_32(u_5);  /* F33, |x| <= 0.126 */
     const int64_t u_7 = (int64_t)phi_square * u_6;  /* F70 */
-    const int32_t u = round_33(u_7);  /* F37, |x| <= 0.00131 */
+    const int32_t u = round_35(u_7);  /* F35, |x| <= 0.00131 */
 
     /* y = sin(|phi|/2)/|phi| - 1/2, polynomial in |phi|^2   [cao (9)] */
     const int64_t y_1 = (int64_t)559189 /* 31/119051 */ * phi_square;  /* F68 */
@@ -333,103 +344,82 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     const int32_t bent_x = round_32(bent_x_1);  /* F45, |x| <= 2.23e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int64_t v_x_whole_1 = phi_x * INT64_C(1024);  /* F45 */
-    const int64_t v_x_whole_2 = v_x_whole_1 + bent_x;  /* F45 */
-    const int32_t v_x_carried = state->residual[3];  /* F45 */
-    const int64_t v_x_whole = v_x_whole_2 + v_x_carried;  /* F45 */
-    const int32_t v_x = round_10(v_x_whole);  /* F35, |x| <= 0.0512 */
-    const int64_t v_x_left_1 = v_x * INT64_C(1024);  /* F45 */
-    const int64_t v_x_left = v_x_whole - v_x_left_1;  /* F45 */
-    const int32_t v_x_left_over = (int32_t)v_x_left;  /* F45 */
+    const int32_t v_x_fine_carried = state->residual[3];  /* F45 */
+    const int32_t v_x_fine_whole = bent_x + v_x_fine_carried;  /* F45 */
+    const int32_t v_x_fine = round_short_10(v_x_fine_whole);  /* F35 */
+    const int32_t v_x_fine_left = left_of_short_10(v_x_fine_whole, v_x_fine);  /* F45 */
+    const int32_t v_x = v_x_fine + phi_x;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F77 */
     const int32_t bent_y = round_32(bent_y_1);  /* F45, |x| <= 2.23e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int64_t v_y_whole_1 = phi_y * INT64_C(1024);  /* F45 */
-    const int64_t v_y_whole_2 = v_y_whole_1 + bent_y;  /* F45 */
-    const int32_t v_y_carried = state->residual[4];  /* F45 */
-    const int64_t v_y_whole = v_y_whole_2 + v_y_carried;  /* F45 */
-    const int32_t v_y = round_10(v_y_whole);  /* F35, |x| <= 0.0512 */
-    const int64_t v_y_left_1 = v_y * INT64_C(1024);  /* F45 */
-    const int64_t v_y_left = v_y_whole - v_y_left_1;  /* F45 */
-    const int32_t v_y_left_over = (int32_t)v_y_left;  /* F45 */
+    const int32_t v_y_fine_carried = state->residual[4];  /* F45 */
+    const int32_t v_y_fine_whole = bent_y + v_y_fine_carried;  /* F45 */
+    const int32_t v_y_fine = round_short_10(v_y_fine_whole);  /* F35 */
+    const int32_t v_y_fine_left = left_of_short_10(v_y_fine_whole, v_y_fine);  /* F45 */
+    const int32_t v_y = v_y_fine + phi_y;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F77 */
     const int32_t bent_z = round_32(bent_z_1);  /* F45, |x| <= 2.23e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int64_t v_z_whole_1 = phi_z * INT64_C(1024);  /* F45 */
-    const int64_t v_z_whole_2 = v_z_whole_1 + bent_z;  /* F45 */
-    const int32_t v_z_carried = state->residual[5];  /* F45 */
-    const int64_t v_z_whole = v_z_whole_2 + v_z_carried;  /* F45 */
-    const int32_t v_z = round_10(v_z_whole);  /* F35, |x| <= 0.0512 */
-    const int64_t v_z_left_1 = v_z * INT64_C(1024);  /* F45 */
-    const int64_t v_z_left = v_z_whole - v_z_left_1;  /* F45 */
-    const int32_t v_z_left_over = (int32_t)v_z_left;  /* F45 */
+    const int32_t v_z_fine_carried = state->residual[5];  /* F45 */
+    const int32_t v_z_fine_whole = bent_z + v_z_fine_carried;  /* F45 */
+    const int32_t v_z_fine = round_short_10(v_z_fine_whole);  /* F35 */
+    const int32_t v_z_fine_left = left_of_short_10(v_z_fine_whole, v_z_fine);  /* F45 */
+    const int32_t v_z = v_z_fine + phi_z;  /* F35, |x| <= 0.0512 */
 
     /* dq = q (x) [u, v]   [cao (14)] */
-    const int64_t dq_w_1 = (int64_t)q_w * u;  /* F67 */
+    const int64_t dq_w_1 = (int64_t)q_w * u;  /* F65 */
     const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
-    const int64_t dq_w_3 = dq_w_2 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_4 = dq_w_1 - dq_w_3;  /* F67 */
-    const int64_t dq_w_5 = (int64_t)q_y * v_y;  /* F65 */
-    const int64_t dq_w_6 = dq_w_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_7 = dq_w_4 - dq_w_6;  /* F67 */
-    const int64_t dq_w_8 = (int64_t)q_z * v_z;  /* F65 */
-    const int64_t dq_w_9 = dq_w_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_10 = dq_w_7 - dq_w_9;  /* F67 */
-    const int64_t dq_w = round_wide_5(dq_w_10);  /* F62, |x| <= 0.052 */
+    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F65 */
+    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F65 */
+    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F65 */
+    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F65 */
+    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F65 */
+    const int64_t dq_w = round_wide_3(dq_w_7);  /* F62, |x| <= 0.052 */
 
     /* q_next = q + dq */
     const int64_t q_next_w = q_w_whole + dq_w;  /* F62, |x| <= 1.02 */
 
     /* dq = q (x) [u, v]   [cao (14)] */
     const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F65 */
-    const int64_t dq_x_2 = dq_x_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_3 = (int64_t)q_x * u;  /* F67 */
-    const int64_t dq_x_4 = dq_x_2 + dq_x_3;  /* F67 */
-    const int64_t dq_x_5 = (int64_t)q_y * v_z;  /* F65 */
-    const int64_t dq_x_6 = dq_x_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_7 = dq_x_4 + dq_x_6;  /* F67 */
-    const int64_t dq_x_8 = (int64_t)q_z * v_y;  /* F65 */
-    const int64_t dq_x_9 = dq_x_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_10 = dq_x_7 - dq_x_9;  /* F67 */
-    const int64_t dq_x = round_wide_5(dq_x_10);  /* F62, |x| <= 0.052 */
+    const int64_t dq_x_2 = (int64_t)q_x * u;  /* F65 */
+    const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F65 */
+    const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F65 */
+    const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F65 */
+    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F65 */
+    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F65 */
+    const int64_t dq_x = round_wide_3(dq_x_7);  /* F62, |x| <= 0.052 */
 
     /* q_next = q + dq */
     const int64_t q_next_x = q_x_whole + dq_x;  /* F62, |x| <= 1.02 */
 
     /* dq = q (x) [u, v]   [cao (14)] */
     const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F65 */
-    const int64_t dq_y_2 = dq_y_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_3 = (int64_t)q_y * u;  /* F67 */
-    const int64_t dq_y_4 = dq_y_2 + dq_y_3;  /* F67 */
-    const int64_t dq_y_5 = (int64_t)q_z * v_x;  /* F65 */
-    const int64_t dq_y_6 = dq_y_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_7 = dq_y_4 + dq_y_6;  /* F67 */
-    const int64_t dq_y_8 = (int64_t)q_x * v_z;  /* F65 */
-    const int64_t dq_y_9 = dq_y_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_10 = dq_y_7 - dq_y_9;  /* F67 */
-    const int64_t dq_y = round_wide_5(dq_y_10);  /* F62, |x| <= 0.052 */
+    const int64_t dq_y_2 = (int64_t)q_y * u;  /* F65 */
+    const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F65 */
+    const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F65 */
+    const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F65 */
+    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F65 */
+    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F65 */
+    const int64_t dq_y = round_wide_3(dq_y_7);  /* F62, |x| <= 0.052 */
 
     /* q_next = q + dq */
     const int64_t q_next_y = q_y_whole + dq_y;  /* F62, |x| <= 1.02 */
 
     /* dq = q (x) [u, v]   [cao (14)] */
     const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F65 */
-    const int64_t dq_z_2 = dq_z_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_3 = (int64_t)q_z * u;  /* F67 */
-    const int64_t dq_z_4 = dq_z_2 + dq_z_3;  /* F67 */
-    const int64_t dq_z_5 = (int64_t)q_x * v_y;  /* F65 */
-    const int64_t dq_z_6 = dq_z_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_7 = dq_z_4 + dq_z_6;  /* F67 */
-    const int64_t dq_z_8 = (int64_t)q_y * v_x;  /* F65 */
-    const int64_t dq_z_9 = dq_z_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_10 = dq_z_7 - dq_z_9;  /* F67 */
-    const int64_t dq_z = round_wide_5(dq_z_10);  /* F62, |x| <= 0.052 */
+    const int64_t dq_z_2 = (int64_t)q_z * u;  /* F65 */
+    const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F65 */
+    const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F65 */
+    const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F65 */
+    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F65 */
+    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F65 */
+    const int64_t dq_z = round_wide_3(dq_z_7);  /* F62, |x| <= 0.052 */
 
     /* q_next = q + dq */
     const int64_t q_next_z = q_z_whole + dq_z;  /* F62, |x| <= 1.02 */
@@ -441,12 +431,12 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     state->q[3] = q_next_z;
 
     /* carry the roundings to the next update */
-    state->residual[0] = phi_x_left_over;
-    state->residual[1] = phi_y_left_over;
-    state->residual[2] = phi_z_left_over;
-    state->residual[3] = v_x_left_over;
-    state->residual[4] = v_y_left_over;
-    state->residual[5] = v_z_left_over;
+    state->residual[0] = phi_x_fine_left;
+    state->residual[1] = phi_y_fine_left;
+    state->residual[2] = phi_z_fine_left;
+    state->residual[3] = v_x_fine_left;
+    state->residual[4] = v_y_fine_left;
+    state->residual[5] = v_z_fine_left;
 }
 
 void rotation_vector_3_coning_separate_fixed32_compensated_renormalise(

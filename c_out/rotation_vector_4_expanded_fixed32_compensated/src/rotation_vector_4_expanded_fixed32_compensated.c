@@ -25,7 +25,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       59       0   43        19       0       0     0     0     0       0      0
  * update shared           55       4   43        19       0       0     0     0     0       0      0
- * update emitted          55       0   40        34       0       0     0     0     0       0     70
+ * update emitted          55       0   40        34       0       0     0     0     0       0     49
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -40,23 +40,42 @@
 #endif
 
 
+/* The word of 32 bits with these bits. */
+static inline int32_t wrapped_32(uint32_t bits)
+{
+    return (bits <= (uint32_t)2147483647) ? (int32_t)bits : (-(int32_t)(~bits) - 1);
+}
+
+/* x / 2^bits, rounded down, 0 <= bits < 32. */
+static inline int32_t shift_right_32(int32_t x, int bits)
+{
+    return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
 /* x / 2^bits, rounded down, 0 <= bits < 64. */
 static inline int64_t shift_right_64(int64_t x, int bits)
 {
     return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
 }
 
+/* whole - 2^6 rounded; the result fits 32 bits. */
+static inline int32_t left_of_6(int64_t whole, int32_t rounded)
+{
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 6);
+    return wrapped_32(left);
+}
+
+/* whole - 2^10 rounded; the result fits 32 bits. */
+static inline int32_t left_of_short_10(int32_t whole, int32_t rounded)
+{
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 10);
+    return wrapped_32(left);
+}
+
 /* x / 2^6, rounded to nearest, halves up; the result fits 32 bits. */
 static inline int32_t round_6(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(32)) >> 6);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_10(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -67,10 +86,10 @@ static inline int32_t round_21(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^24, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_24(int64_t x)
+/* x / 2^26, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_26(int64_t x)
 {
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(8388608)) >> 24);
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(33554432)) >> 26);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -101,10 +120,16 @@ static inline int32_t round_43(int64_t x)
     return (int32_t)shift_right_64(x + INT64_C(4398046511104), 43);
 }
 
-/* x / 2^5, rounded to nearest, halves up. */
-static inline int64_t round_wide_5(int64_t x)
+/* x / 2^10, rounded to nearest, halves up. */
+static inline int32_t round_short_10(int32_t x)
 {
-    return shift_right_64(x + INT64_C(16), 5);
+    return shift_right_32(x + 512, 10);
+}
+
+/* x / 2^3, rounded to nearest, halves up. */
+static inline int64_t round_wide_3(int64_t x)
+{
+    return shift_right_64(x + INT64_C(4), 3);
 }
 
 /* x / 2^8, rounded to nearest, halves up. */
@@ -277,9 +302,7 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     const int32_t phi_x_carried = state->residual[0];  /* F40 */
     const int64_t phi_x_whole = phi_x_whole_6 + phi_x_carried;  /* F40 */
     const int32_t phi_x = round_6(phi_x_whole);  /* F34, |x| <= 0.103 */
-    const int64_t phi_x_left_1 = phi_x * INT64_C(64);  /* F40 */
-    const int64_t phi_x_left = phi_x_whole - phi_x_left_1;  /* F40 */
-    const int32_t phi_x_left_over = (int32_t)phi_x_left;  /* F40 */
+    const int32_t phi_x_left = left_of_6(phi_x_whole, phi_x);  /* F40 */
 
     /* coning2 = g2 x d2   [song2013 expanded coning, derived here] */
     const int64_t coning2_y_1 = (int64_t)g2_z * d2_x;  /* F71 */
@@ -303,9 +326,7 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     const int32_t phi_y_carried = state->residual[1];  /* F40 */
     const int64_t phi_y_whole = phi_y_whole_6 + phi_y_carried;  /* F40 */
     const int32_t phi_y = round_6(phi_y_whole);  /* F34, |x| <= 0.103 */
-    const int64_t phi_y_left_1 = phi_y * INT64_C(64);  /* F40 */
-    const int64_t phi_y_left = phi_y_whole - phi_y_left_1;  /* F40 */
-    const int32_t phi_y_left_over = (int32_t)phi_y_left;  /* F40 */
+    const int32_t phi_y_left = left_of_6(phi_y_whole, phi_y);  /* F40 */
 
     /* coning2 = g2 x d2   [song2013 expanded coning, derived here] */
     const int64_t coning2_z_1 = (int64_t)g2_x * d2_y;  /* F71 */
@@ -329,9 +350,7 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     const int32_t phi_z_carried = state->residual[2];  /* F40 */
     const int64_t phi_z_whole = phi_z_whole_6 + phi_z_carried;  /* F40 */
     const int32_t phi_z = round_6(phi_z_whole);  /* F34, |x| <= 0.103 */
-    const int64_t phi_z_left_1 = phi_z * INT64_C(64);  /* F40 */
-    const int64_t phi_z_left = phi_z_whole - phi_z_left_1;  /* F40 */
-    const int32_t phi_z_left_over = (int32_t)phi_z_left;  /* F40 */
+    const int32_t phi_z_left = left_of_6(phi_z_whole, phi_z);  /* F40 */
 
     /* phi_square = |phi|^2 */
     const int64_t phi_square_1 = (int64_t)phi_x * phi_x;  /* F68 */
@@ -361,42 +380,33 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     const int32_t bent_x = round_32(bent_x_1);  /* F45, |x| <= 2.24e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int64_t v_x_whole_1 = phi_x * INT64_C(1024);  /* F45 */
-    const int64_t v_x_whole_2 = v_x_whole_1 + bent_x;  /* F45 */
-    const int32_t v_x_carried = state->residual[3];  /* F45 */
-    const int64_t v_x_whole = v_x_whole_2 + v_x_carried;  /* F45 */
-    const int32_t v_x = round_10(v_x_whole);  /* F35, |x| <= 0.0512 */
-    const int64_t v_x_left_1 = v_x * INT64_C(1024);  /* F45 */
-    const int64_t v_x_left = v_x_whole - v_x_left_1;  /* F45 */
-    const int32_t v_x_left_over = (int32_t)v_x_left;  /* F45 */
+    const int32_t v_x_fine_carried = state->residual[3];  /* F45 */
+    const int32_t v_x_fine_whole = bent_x + v_x_fine_carried;  /* F45 */
+    const int32_t v_x_fine = round_short_10(v_x_fine_whole);  /* F35 */
+    const int32_t v_x_fine_left = left_of_short_10(v_x_fine_whole, v_x_fine);  /* F45 */
+    const int32_t v_x = v_x_fine + phi_x;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F77 */
     const int32_t bent_y = round_32(bent_y_1);  /* F45, |x| <= 2.24e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int64_t v_y_whole_1 = phi_y * INT64_C(1024);  /* F45 */
-    const int64_t v_y_whole_2 = v_y_whole_1 + bent_y;  /* F45 */
-    const int32_t v_y_carried = state->residual[4];  /* F45 */
-    const int64_t v_y_whole = v_y_whole_2 + v_y_carried;  /* F45 */
-    const int32_t v_y = round_10(v_y_whole);  /* F35, |x| <= 0.0512 */
-    const int64_t v_y_left_1 = v_y * INT64_C(1024);  /* F45 */
-    const int64_t v_y_left = v_y_whole - v_y_left_1;  /* F45 */
-    const int32_t v_y_left_over = (int32_t)v_y_left;  /* F45 */
+    const int32_t v_y_fine_carried = state->residual[4];  /* F45 */
+    const int32_t v_y_fine_whole = bent_y + v_y_fine_carried;  /* F45 */
+    const int32_t v_y_fine = round_short_10(v_y_fine_whole);  /* F35 */
+    const int32_t v_y_fine_left = left_of_short_10(v_y_fine_whole, v_y_fine);  /* F45 */
+    const int32_t v_y = v_y_fine + phi_y;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
     const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F77 */
     const int32_t bent_z = round_32(bent_z_1);  /* F45, |x| <= 2.24e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int64_t v_z_whole_1 = phi_z * INT64_C(1024);  /* F45 */
-    const int64_t v_z_whole_2 = v_z_whole_1 + bent_z;  /* F45 */
-    const int32_t v_z_carried = state->residual[5];  /* F45 */
-    const int64_t v_z_whole = v_z_whole_2 + v_z_carried;  /* F45 */
-    const int32_t v_z = round_10(v_z_whole);  /* F35, |x| <= 0.0512 */
-    const int64_t v_z_left_1 = v_z * INT64_C(1024);  /* F45 */
-    const int64_t v_z_left = v_z_whole - v_z_left_1;  /* F45 */
-    const int32_t v_z_left_over = (int32_t)v_z_left;  /* F45 */
+    const int32_t v_z_fine_carried = state->residual[5];  /* F45 */
+    const int32_t v_z_fine_whole = bent_z + v_z_fine_carried;  /* F45 */
+    const int32_t v_z_fine = round_short_10(v_z_fine_whole);  /* F35 */
+    const int32_t v_z_fine_left = left_of_short_10(v_z_fine_whole, v_z_fine);  /* F45 */
+    const int32_t v_z = v_z_fine + phi_z;  /* F35, |x| <= 0.0512 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
     const int64_t u_7 = (int64_t)phi_square * u_6;  /* F70 */
@@ -413,68 +423,56 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     const int64_t a_8 = a_6 - a_7;  /* F61 */
     const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
     const int64_t a_10 = a_8 - a_9;  /* F61 */
-    const int32_t a = round_24(a_10);  /* F37, |x| <= 0.00523 */
+    const int32_t a = round_26(a_10);  /* F35, |x| <= 0.00523 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F67 */
+    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F65 */
     const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
-    const int64_t dq_w_3 = dq_w_2 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_4 = dq_w_1 - dq_w_3;  /* F67 */
-    const int64_t dq_w_5 = (int64_t)q_y * v_y;  /* F65 */
-    const int64_t dq_w_6 = dq_w_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_7 = dq_w_4 - dq_w_6;  /* F67 */
-    const int64_t dq_w_8 = (int64_t)q_z * v_z;  /* F65 */
-    const int64_t dq_w_9 = dq_w_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_10 = dq_w_7 - dq_w_9;  /* F67 */
-    const int64_t dq_w = round_wide_5(dq_w_10);  /* F62, |x| <= 0.0517 */
+    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F65 */
+    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F65 */
+    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F65 */
+    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F65 */
+    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F65 */
+    const int64_t dq_w = round_wide_3(dq_w_7);  /* F62, |x| <= 0.0517 */
 
     /* q_next = q + dq */
     const int64_t q_next_w = q_w_whole + dq_w;  /* F62, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F65 */
-    const int64_t dq_x_2 = dq_x_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_3 = (int64_t)q_x * a;  /* F67 */
-    const int64_t dq_x_4 = dq_x_2 + dq_x_3;  /* F67 */
-    const int64_t dq_x_5 = (int64_t)q_y * v_z;  /* F65 */
-    const int64_t dq_x_6 = dq_x_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_7 = dq_x_4 + dq_x_6;  /* F67 */
-    const int64_t dq_x_8 = (int64_t)q_z * v_y;  /* F65 */
-    const int64_t dq_x_9 = dq_x_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_10 = dq_x_7 - dq_x_9;  /* F67 */
-    const int64_t dq_x = round_wide_5(dq_x_10);  /* F62, |x| <= 0.0517 */
+    const int64_t dq_x_2 = (int64_t)q_x * a;  /* F65 */
+    const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F65 */
+    const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F65 */
+    const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F65 */
+    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F65 */
+    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F65 */
+    const int64_t dq_x = round_wide_3(dq_x_7);  /* F62, |x| <= 0.0517 */
 
     /* q_next = q + dq */
     const int64_t q_next_x = q_x_whole + dq_x;  /* F62, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F65 */
-    const int64_t dq_y_2 = dq_y_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_3 = (int64_t)q_y * a;  /* F67 */
-    const int64_t dq_y_4 = dq_y_2 + dq_y_3;  /* F67 */
-    const int64_t dq_y_5 = (int64_t)q_z * v_x;  /* F65 */
-    const int64_t dq_y_6 = dq_y_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_7 = dq_y_4 + dq_y_6;  /* F67 */
-    const int64_t dq_y_8 = (int64_t)q_x * v_z;  /* F65 */
-    const int64_t dq_y_9 = dq_y_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_10 = dq_y_7 - dq_y_9;  /* F67 */
-    const int64_t dq_y = round_wide_5(dq_y_10);  /* F62, |x| <= 0.0517 */
+    const int64_t dq_y_2 = (int64_t)q_y * a;  /* F65 */
+    const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F65 */
+    const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F65 */
+    const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F65 */
+    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F65 */
+    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F65 */
+    const int64_t dq_y = round_wide_3(dq_y_7);  /* F62, |x| <= 0.0517 */
 
     /* q_next = q + dq */
     const int64_t q_next_y = q_y_whole + dq_y;  /* F62, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F65 */
-    const int64_t dq_z_2 = dq_z_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_3 = (int64_t)q_z * a;  /* F67 */
-    const int64_t dq_z_4 = dq_z_2 + dq_z_3;  /* F67 */
-    const int64_t dq_z_5 = (int64_t)q_x * v_y;  /* F65 */
-    const int64_t dq_z_6 = dq_z_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_7 = dq_z_4 + dq_z_6;  /* F67 */
-    const int64_t dq_z_8 = (int64_t)q_y * v_x;  /* F65 */
-    const int64_t dq_z_9 = dq_z_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_10 = dq_z_7 - dq_z_9;  /* F67 */
-    const int64_t dq_z = round_wide_5(dq_z_10);  /* F62, |x| <= 0.0517 */
+    const int64_t dq_z_2 = (int64_t)q_z * a;  /* F65 */
+    const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F65 */
+    const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F65 */
+    const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F65 */
+    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F65 */
+    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F65 */
+    const int64_t dq_z = round_wide_3(dq_z_7);  /* F62, |x| <= 0.0517 */
 
     /* q_next = q + dq */
     const int64_t q_next_z = q_z_whole + dq_z;  /* F62, |x| <= 1.01 */
@@ -486,12 +484,12 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     state->q[3] = q_next_z;
 
     /* carry the roundings to the next update */
-    state->residual[0] = phi_x_left_over;
-    state->residual[1] = phi_y_left_over;
-    state->residual[2] = phi_z_left_over;
-    state->residual[3] = v_x_left_over;
-    state->residual[4] = v_y_left_over;
-    state->residual[5] = v_z_left_over;
+    state->residual[0] = phi_x_left;
+    state->residual[1] = phi_y_left;
+    state->residual[2] = phi_z_left;
+    state->residual[3] = v_x_fine_left;
+    state->residual[4] = v_y_fine_left;
+    state->residual[5] = v_z_fine_left;
 }
 
 void rotation_vector_4_expanded_fixed32_compensated_quaternion(

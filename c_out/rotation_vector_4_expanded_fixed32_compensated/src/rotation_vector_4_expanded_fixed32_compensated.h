@@ -25,7 +25,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       59       0   43        19       0       0     0     0     0       0      0
  * update shared           55       4   43        19       0       0     0     0     0       0      0
- * update emitted          55       0   40        34       0       0     0     0     0       0     70
+ * update emitted          55       0   40        34       0       0     0     0     0       0     49
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

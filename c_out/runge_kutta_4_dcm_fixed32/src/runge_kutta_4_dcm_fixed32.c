@@ -24,7 +24,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written      107       0   54        32       0       0     0     0     0       0      0
  * update shared           93      14   54        32       0       0     0     0     0       0      0
- * update emitted          93       0   50        36       0       0     0     0     0       0    105
+ * update emitted          93       0   50        36       0       0     0     0     0       0     99
  * dcm as-written           0       0    0         0       0       0     0     0     0       0      0
  * dcm shared               0       0    0         0       0       0     0     0     0       0      0
  * dcm emitted              0       0    0         0       0       0     0     0     0       0      0
@@ -89,24 +89,10 @@ static inline int32_t round_2(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^4, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_4(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(8)) >> 4);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
 /* x / 2^5, rounded to nearest, halves up; the result fits 32 bits. */
 static inline int32_t round_5(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(16)) >> 5);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_10(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -201,6 +187,12 @@ static inline int32_t round_short_8(int32_t x)
     return shift_right_32(x + 128, 8);
 }
 
+/* x / 2^10, rounded to nearest, halves up. */
+static inline int32_t round_short_10(int32_t x)
+{
+    return shift_right_32(x + 512, 10);
+}
+
 void runge_kutta_4_dcm_fixed32_init(runge_kutta_4_dcm_fixed32_state *state)
 {
     state->c[0] = 1073741824 /* 1 */;
@@ -256,19 +248,16 @@ void runge_kutta_4_dcm_fixed32_set_dcm(runge_kutta_4_dcm_fixed32_state *state, c
     /* a_next = a + e_a a */
     const int64_t a_next_x_part_1 = (int64_t)e_a * c_nb_11;  /* F70 */
     const int32_t a_next_x_part = round_30(a_next_x_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t a_next_x_1 = c_nb_11 * INT64_C(1024);  /* F40 */
-    const int64_t a_next_x_2 = a_next_x_1 + a_next_x_part;  /* F40 */
-    const int32_t a_next_x = round_10(a_next_x_2);  /* F30, |x| <= 1.01 */
+    const int32_t a_next_x_fine = round_short_10(a_next_x_part);  /* F30 */
+    const int32_t a_next_x = a_next_x_fine + c_nb_11;  /* F30, |x| <= 1.01 */
     const int64_t a_next_y_part_1 = (int64_t)e_a * c_nb_12;  /* F70 */
     const int32_t a_next_y_part = round_30(a_next_y_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t a_next_y_1 = c_nb_12 * INT64_C(1024);  /* F40 */
-    const int64_t a_next_y_2 = a_next_y_1 + a_next_y_part;  /* F40 */
-    const int32_t a_next_y = round_10(a_next_y_2);  /* F30, |x| <= 1.01 */
+    const int32_t a_next_y_fine = round_short_10(a_next_y_part);  /* F30 */
+    const int32_t a_next_y = a_next_y_fine + c_nb_12;  /* F30, |x| <= 1.01 */
     const int64_t a_next_z_part_1 = (int64_t)e_a * c_nb_13;  /* F70 */
     const int32_t a_next_z_part = round_30(a_next_z_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t a_next_z_1 = c_nb_13 * INT64_C(1024);  /* F40 */
-    const int64_t a_next_z_2 = a_next_z_1 + a_next_z_part;  /* F40 */
-    const int32_t a_next_z = round_10(a_next_z_2);  /* F30, |x| <= 1.01 */
+    const int32_t a_next_z_fine = round_short_10(a_next_z_part);  /* F30 */
+    const int32_t a_next_z = a_next_z_fine + c_nb_13;  /* F30, |x| <= 1.01 */
 
     /* b_next = b + e_b b - e_ab a */
     const int64_t b_next_x_part_1 = (int64_t)e_b * c_nb_21;  /* F62 */
@@ -435,39 +424,36 @@ void runge_kutta_4_dcm_fixed32_update(runge_kutta_4_dcm_fixed32_state *state, co
     const int32_t a3_z = round_30(a3_z_3);  /* F34, |x| <= 0.122 */
 
     /* a4 = (a + a3) x g2 */
-    const int64_t a_next_y_1 = c_11 * INT64_C(16);  /* F34 */
-    const int64_t a_next_y_2 = a_next_y_1 + a3_x;  /* F34 */
-    const int32_t a_next_y_3 = round_4(a_next_y_2);  /* F30, |x| <= 1.28 */
-    const int64_t a_next_x_1 = c_12 * INT64_C(16);  /* F34 */
-    const int64_t a_next_x_2 = a_next_x_1 + a3_y;  /* F34 */
-    const int32_t a_next_x_3 = round_4(a_next_x_2);  /* F30, |x| <= 1.28 */
-    const int64_t a_next_x_4 = c_13 * INT64_C(16);  /* F34 */
-    const int64_t a_next_x_5 = a_next_x_4 + a3_z;  /* F34 */
-    const int32_t a_next_x_6 = round_4(a_next_x_5);  /* F30, |x| <= 1.28 */
+    const int32_t a_next_y_1 = round_short_4(a3_x);  /* F30 */
+    const int32_t a_next_y_2 = a_next_y_1 + c_11;  /* F30, |x| <= 1.28 */
+    const int32_t a_next_x_1 = round_short_4(a3_y);  /* F30 */
+    const int32_t a_next_x_2 = a_next_x_1 + c_12;  /* F30, |x| <= 1.28 */
+    const int32_t a_next_x_3 = round_short_4(a3_z);  /* F30 */
+    const int32_t a_next_x_4 = a_next_x_3 + c_13;  /* F30, |x| <= 1.28 */
 
     /* da = (a1 + a4)/6 + (a2 + a3)/3 */
-    const int64_t a_next_x_7 = a1_x * INT64_C(1073741824);  /* F64 */
-    const int64_t a_next_x_8 = (int64_t)a_next_x_3 * g2_z;  /* F64 */
-    const int64_t a_next_x_9 = a_next_x_7 + a_next_x_8;  /* F64 */
-    const int64_t a_next_x_10 = (int64_t)a_next_x_6 * g2_y;  /* F64 */
-    const int64_t a_next_x_11 = a_next_x_9 - a_next_x_10;  /* F64 */
-    const int32_t a_next_x_12 = round_31(a_next_x_11);  /* F33, |x| <= 0.243 */
-    const int64_t a_next_y_4 = a1_y * INT64_C(1073741824);  /* F64 */
-    const int64_t a_next_y_5 = (int64_t)a_next_x_6 * g2_x;  /* F64 */
-    const int64_t a_next_y_6 = a_next_y_4 + a_next_y_5;  /* F64 */
-    const int64_t a_next_y_7 = (int64_t)a_next_y_3 * g2_z;  /* F64 */
-    const int64_t a_next_y_8 = a_next_y_6 - a_next_y_7;  /* F64 */
-    const int32_t a_next_y_9 = round_31(a_next_y_8);  /* F33, |x| <= 0.243 */
+    const int64_t a_next_x_5 = a1_x * INT64_C(1073741824);  /* F64 */
+    const int64_t a_next_x_6 = (int64_t)a_next_x_2 * g2_z;  /* F64 */
+    const int64_t a_next_x_7 = a_next_x_5 + a_next_x_6;  /* F64 */
+    const int64_t a_next_x_8 = (int64_t)a_next_x_4 * g2_y;  /* F64 */
+    const int64_t a_next_x_9 = a_next_x_7 - a_next_x_8;  /* F64 */
+    const int32_t a_next_x_10 = round_31(a_next_x_9);  /* F33, |x| <= 0.243 */
+    const int64_t a_next_y_3 = a1_y * INT64_C(1073741824);  /* F64 */
+    const int64_t a_next_y_4 = (int64_t)a_next_x_4 * g2_x;  /* F64 */
+    const int64_t a_next_y_5 = a_next_y_3 + a_next_y_4;  /* F64 */
+    const int64_t a_next_y_6 = (int64_t)a_next_y_2 * g2_z;  /* F64 */
+    const int64_t a_next_y_7 = a_next_y_5 - a_next_y_6;  /* F64 */
+    const int32_t a_next_y_8 = round_31(a_next_y_7);  /* F33, |x| <= 0.243 */
     const int64_t a_next_z_1 = a1_z * INT64_C(1073741824);  /* F64 */
-    const int64_t a_next_z_2 = (int64_t)a_next_y_3 * g2_y;  /* F64 */
+    const int64_t a_next_z_2 = (int64_t)a_next_y_2 * g2_y;  /* F64 */
     const int64_t a_next_z_3 = a_next_z_1 + a_next_z_2;  /* F64 */
-    const int64_t a_next_z_4 = (int64_t)a_next_x_3 * g2_x;  /* F64 */
+    const int64_t a_next_z_4 = (int64_t)a_next_x_2 * g2_x;  /* F64 */
     const int64_t a_next_z_5 = a_next_z_3 - a_next_z_4;  /* F64 */
     const int32_t a_next_z_6 = round_31(a_next_z_5);  /* F33, |x| <= 0.243 */
-    const int64_t a_next_x_13 = (int64_t)a2_x + a3_x;  /* F34 */
-    const int32_t a_next_x_14 = round_1(a_next_x_13);  /* F33, |x| <= 0.242 */
-    const int64_t a_next_y_10 = (int64_t)a2_y + a3_y;  /* F34 */
-    const int32_t a_next_y_11 = round_1(a_next_y_10);  /* F33, |x| <= 0.242 */
+    const int64_t a_next_x_11 = (int64_t)a2_x + a3_x;  /* F34 */
+    const int32_t a_next_x_12 = round_1(a_next_x_11);  /* F33, |x| <= 0.242 */
+    const int64_t a_next_y_9 = (int64_t)a2_y + a3_y;  /* F34 */
+    const int32_t a_next_y_10 = round_1(a_next_y_9);  /* F33, |x| <= 0.242 */
     const int64_t a_next_z_7 = (int64_t)a2_z + a3_z;  /* F34 */
     const int32_t a_next_z_8 = round_1(a_next_z_7);  /* F33, |x| <= 0.242 */
 
@@ -532,39 +518,36 @@ void runge_kutta_4_dcm_fixed32_update(runge_kutta_4_dcm_fixed32_state *state, co
     const int32_t b3_z = round_30(b3_z_3);  /* F34, |x| <= 0.122 */
 
     /* b4 = (b + b3) x g2 */
-    const int64_t b_next_y_1 = c_21 * INT64_C(16);  /* F34 */
-    const int64_t b_next_y_2 = b_next_y_1 + b3_x;  /* F34 */
-    const int32_t b_next_y_3 = round_4(b_next_y_2);  /* F30, |x| <= 1.28 */
-    const int64_t b_next_x_1 = c_22 * INT64_C(16);  /* F34 */
-    const int64_t b_next_x_2 = b_next_x_1 + b3_y;  /* F34 */
-    const int32_t b_next_x_3 = round_4(b_next_x_2);  /* F30, |x| <= 1.28 */
-    const int64_t b_next_x_4 = c_23 * INT64_C(16);  /* F34 */
-    const int64_t b_next_x_5 = b_next_x_4 + b3_z;  /* F34 */
-    const int32_t b_next_x_6 = round_4(b_next_x_5);  /* F30, |x| <= 1.28 */
+    const int32_t b_next_y_1 = round_short_4(b3_x);  /* F30 */
+    const int32_t b_next_y_2 = b_next_y_1 + c_21;  /* F30, |x| <= 1.28 */
+    const int32_t b_next_x_1 = round_short_4(b3_y);  /* F30 */
+    const int32_t b_next_x_2 = b_next_x_1 + c_22;  /* F30, |x| <= 1.28 */
+    const int32_t b_next_x_3 = round_short_4(b3_z);  /* F30 */
+    const int32_t b_next_x_4 = b_next_x_3 + c_23;  /* F30, |x| <= 1.28 */
 
     /* db = (b1 + b4)/6 + (b2 + b3)/3 */
-    const int64_t b_next_x_7 = b1_x * INT64_C(1073741824);  /* F64 */
-    const int64_t b_next_x_8 = (int64_t)b_next_x_3 * g2_z;  /* F64 */
-    const int64_t b_next_x_9 = b_next_x_7 + b_next_x_8;  /* F64 */
-    const int64_t b_next_x_10 = (int64_t)b_next_x_6 * g2_y;  /* F64 */
-    const int64_t b_next_x_11 = b_next_x_9 - b_next_x_10;  /* F64 */
-    const int32_t b_next_x_12 = round_31(b_next_x_11);  /* F33, |x| <= 0.243 */
-    const int64_t b_next_y_4 = b1_y * INT64_C(1073741824);  /* F64 */
-    const int64_t b_next_y_5 = (int64_t)b_next_x_6 * g2_x;  /* F64 */
-    const int64_t b_next_y_6 = b_next_y_4 + b_next_y_5;  /* F64 */
-    const int64_t b_next_y_7 = (int64_t)b_next_y_3 * g2_z;  /* F64 */
-    const int64_t b_next_y_8 = b_next_y_6 - b_next_y_7;  /* F64 */
-    const int32_t b_next_y_9 = round_31(b_next_y_8);  /* F33, |x| <= 0.243 */
+    const int64_t b_next_x_5 = b1_x * INT64_C(1073741824);  /* F64 */
+    const int64_t b_next_x_6 = (int64_t)b_next_x_2 * g2_z;  /* F64 */
+    const int64_t b_next_x_7 = b_next_x_5 + b_next_x_6;  /* F64 */
+    const int64_t b_next_x_8 = (int64_t)b_next_x_4 * g2_y;  /* F64 */
+    const int64_t b_next_x_9 = b_next_x_7 - b_next_x_8;  /* F64 */
+    const int32_t b_next_x_10 = round_31(b_next_x_9);  /* F33, |x| <= 0.243 */
+    const int64_t b_next_y_3 = b1_y * INT64_C(1073741824);  /* F64 */
+    const int64_t b_next_y_4 = (int64_t)b_next_x_4 * g2_x;  /* F64 */
+    const int64_t b_next_y_5 = b_next_y_3 + b_next_y_4;  /* F64 */
+    const int64_t b_next_y_6 = (int64_t)b_next_y_2 * g2_z;  /* F64 */
+    const int64_t b_next_y_7 = b_next_y_5 - b_next_y_6;  /* F64 */
+    const int32_t b_next_y_8 = round_31(b_next_y_7);  /* F33, |x| <= 0.243 */
     const int64_t b_next_z_1 = b1_z * INT64_C(1073741824);  /* F64 */
-    const int64_t b_next_z_2 = (int64_t)b_next_y_3 * g2_y;  /* F64 */
+    const int64_t b_next_z_2 = (int64_t)b_next_y_2 * g2_y;  /* F64 */
     const int64_t b_next_z_3 = b_next_z_1 + b_next_z_2;  /* F64 */
-    const int64_t b_next_z_4 = (int64_t)b_next_x_3 * g2_x;  /* F64 */
+    const int64_t b_next_z_4 = (int64_t)b_next_x_2 * g2_x;  /* F64 */
     const int64_t b_next_z_5 = b_next_z_3 - b_next_z_4;  /* F64 */
     const int32_t b_next_z_6 = round_31(b_next_z_5);  /* F33, |x| <= 0.243 */
-    const int64_t b_next_x_13 = (int64_t)b2_x + b3_x;  /* F34 */
-    const int32_t b_next_x_14 = round_1(b_next_x_13);  /* F33, |x| <= 0.242 */
-    const int64_t b_next_y_10 = (int64_t)b2_y + b3_y;  /* F34 */
-    const int32_t b_next_y_11 = round_1(b_next_y_10);  /* F33, |x| <= 0.242 */
+    const int64_t b_next_x_11 = (int64_t)b2_x + b3_x;  /* F34 */
+    const int32_t b_next_x_12 = round_1(b_next_x_11);  /* F33, |x| <= 0.242 */
+    const int64_t b_next_y_9 = (int64_t)b2_y + b3_y;  /* F34 */
+    const int32_t b_next_y_10 = round_1(b_next_y_9);  /* F33, |x| <= 0.242 */
     const int64_t b_next_z_7 = (int64_t)b2_z + b3_z;  /* F34 */
     const int32_t b_next_z_8 = round_1(b_next_z_7);  /* F33, |x| <= 0.242 */
 
@@ -595,24 +578,24 @@ void runge_kutta_4_dcm_fixed32_update(runge_kutta_4_dcm_fixed32_state *state, co
     const int32_t e_ab = round_30(e_ab_5);  /* F30, |x| <= 1.33 */
 
     /* a_next = a + da */
-    const int64_t a_next_x_15 = c_11 * INT64_C(4294967296);  /* F62 */
-    const int64_t a_next_x_16 = (int64_t)89478485 /* 1/6 */ * a_next_x_12;  /* F62 */
+    const int64_t a_next_x_13 = c_11 * INT64_C(4294967296);  /* F62 */
+    const int64_t a_next_x_14 = (int64_t)89478485 /* 1/6 */ * a_next_x_10;  /* F62 */
+    const int64_t a_next_x_15 = a_next_x_13 + a_next_x_14;  /* F62 */
+    const int64_t a_next_x_16 = (int64_t)178956971 /* 1/3 */ * a_next_x_12;  /* F62 */
     const int64_t a_next_x_17 = a_next_x_15 + a_next_x_16;  /* F62 */
-    const int64_t a_next_x_18 = (int64_t)178956971 /* 1/3 */ * a_next_x_14;  /* F62 */
-    const int64_t a_next_x_19 = a_next_x_17 + a_next_x_18;  /* F62 */
-    const int64_t a_next_x_20 = (int64_t)e_a * c_11;  /* F61 */
-    const int64_t a_next_x_21 = a_next_x_20 * INT64_C(2);  /* F62 */
-    const int64_t a_next_x_22 = a_next_x_19 + a_next_x_21;  /* F62 */
-    const int32_t a_next_x = round_32(a_next_x_22);  /* F30, |x| <= 1.13 */
-    const int64_t a_next_y_12 = c_12 * INT64_C(4294967296);  /* F62 */
-    const int64_t a_next_y_13 = (int64_t)89478485 /* 1/6 */ * a_next_y_9;  /* F62 */
-    const int64_t a_next_y_14 = a_next_y_12 + a_next_y_13;  /* F62 */
-    const int64_t a_next_y_15 = (int64_t)178956971 /* 1/3 */ * a_next_y_11;  /* F62 */
-    const int64_t a_next_y_16 = a_next_y_14 + a_next_y_15;  /* F62 */
-    const int64_t a_next_y_17 = (int64_t)e_a * c_12;  /* F61 */
-    const int64_t a_next_y_18 = a_next_y_17 * INT64_C(2);  /* F62 */
-    const int64_t a_next_y_19 = a_next_y_16 + a_next_y_18;  /* F62 */
-    const int32_t a_next_y = round_32(a_next_y_19);  /* F30, |x| <= 1.13 */
+    const int64_t a_next_x_18 = (int64_t)e_a * c_11;  /* F61 */
+    const int64_t a_next_x_19 = a_next_x_18 * INT64_C(2);  /* F62 */
+    const int64_t a_next_x_20 = a_next_x_17 + a_next_x_19;  /* F62 */
+    const int32_t a_next_x = round_32(a_next_x_20);  /* F30, |x| <= 1.13 */
+    const int64_t a_next_y_11 = c_12 * INT64_C(4294967296);  /* F62 */
+    const int64_t a_next_y_12 = (int64_t)89478485 /* 1/6 */ * a_next_y_8;  /* F62 */
+    const int64_t a_next_y_13 = a_next_y_11 + a_next_y_12;  /* F62 */
+    const int64_t a_next_y_14 = (int64_t)178956971 /* 1/3 */ * a_next_y_10;  /* F62 */
+    const int64_t a_next_y_15 = a_next_y_13 + a_next_y_14;  /* F62 */
+    const int64_t a_next_y_16 = (int64_t)e_a * c_12;  /* F61 */
+    const int64_t a_next_y_17 = a_next_y_16 * INT64_C(2);  /* F62 */
+    const int64_t a_next_y_18 = a_next_y_15 + a_next_y_17;  /* F62 */
+    const int32_t a_next_y = round_32(a_next_y_18);  /* F30, |x| <= 1.13 */
     const int64_t a_next_z_9 = c_13 * INT64_C(4294967296);  /* F62 */
     const int64_t a_next_z_10 = (int64_t)89478485 /* 1/6 */ * a_next_z_6;  /* F62 */
     const int64_t a_next_z_11 = a_next_z_9 + a_next_z_10;  /* F62 */
@@ -624,28 +607,28 @@ void runge_kutta_4_dcm_fixed32_update(runge_kutta_4_dcm_fixed32_state *state, co
     const int32_t a_next_z = round_32(a_next_z_16);  /* F30, |x| <= 1.13 */
 
     /* b_next = b + db */
-    const int64_t b_next_x_15 = c_21 * INT64_C(2147483648);  /* F61 */
-    const int64_t b_next_x_16 = (int64_t)44739243 /* 1/6 */ * b_next_x_12;  /* F61 */
+    const int64_t b_next_x_13 = c_21 * INT64_C(2147483648);  /* F61 */
+    const int64_t b_next_x_14 = (int64_t)44739243 /* 1/6 */ * b_next_x_10;  /* F61 */
+    const int64_t b_next_x_15 = b_next_x_13 + b_next_x_14;  /* F61 */
+    const int64_t b_next_x_16 = (int64_t)89478485 /* 1/3 */ * b_next_x_12;  /* F61 */
     const int64_t b_next_x_17 = b_next_x_15 + b_next_x_16;  /* F61 */
-    const int64_t b_next_x_18 = (int64_t)89478485 /* 1/3 */ * b_next_x_14;  /* F61 */
+    const int64_t b_next_x_18 = (int64_t)e_b * c_21;  /* F61 */
     const int64_t b_next_x_19 = b_next_x_17 + b_next_x_18;  /* F61 */
-    const int64_t b_next_x_20 = (int64_t)e_b * c_21;  /* F61 */
-    const int64_t b_next_x_21 = b_next_x_19 + b_next_x_20;  /* F61 */
-    const int64_t b_next_x_22 = (int64_t)e_ab * c_11;  /* F60 */
-    const int64_t b_next_x_23 = b_next_x_22 * INT64_C(2);  /* F61 */
-    const int64_t b_next_x_24 = b_next_x_21 - b_next_x_23;  /* F61 */
-    const int32_t b_next_x = round_31(b_next_x_24);  /* F30, |x| <= 1.13 */
-    const int64_t b_next_y_12 = c_22 * INT64_C(2147483648);  /* F61 */
-    const int64_t b_next_y_13 = (int64_t)44739243 /* 1/6 */ * b_next_y_9;  /* F61 */
-    const int64_t b_next_y_14 = b_next_y_12 + b_next_y_13;  /* F61 */
-    const int64_t b_next_y_15 = (int64_t)89478485 /* 1/3 */ * b_next_y_11;  /* F61 */
-    const int64_t b_next_y_16 = b_next_y_14 + b_next_y_15;  /* F61 */
-    const int64_t b_next_y_17 = (int64_t)e_b * c_22;  /* F61 */
-    const int64_t b_next_y_18 = b_next_y_16 + b_next_y_17;  /* F61 */
-    const int64_t b_next_y_19 = (int64_t)e_ab * c_12;  /* F60 */
-    const int64_t b_next_y_20 = b_next_y_19 * INT64_C(2);  /* F61 */
-    const int64_t b_next_y_21 = b_next_y_18 - b_next_y_20;  /* F61 */
-    const int32_t b_next_y = round_31(b_next_y_21);  /* F30, |x| <= 1.13 */
+    const int64_t b_next_x_20 = (int64_t)e_ab * c_11;  /* F60 */
+    const int64_t b_next_x_21 = b_next_x_20 * INT64_C(2);  /* F61 */
+    const int64_t b_next_x_22 = b_next_x_19 - b_next_x_21;  /* F61 */
+    const int32_t b_next_x = round_31(b_next_x_22);  /* F30, |x| <= 1.13 */
+    const int64_t b_next_y_11 = c_22 * INT64_C(2147483648);  /* F61 */
+    const int64_t b_next_y_12 = (int64_t)44739243 /* 1/6 */ * b_next_y_8;  /* F61 */
+    const int64_t b_next_y_13 = b_next_y_11 + b_next_y_12;  /* F61 */
+    const int64_t b_next_y_14 = (int64_t)89478485 /* 1/3 */ * b_next_y_10;  /* F61 */
+    const int64_t b_next_y_15 = b_next_y_13 + b_next_y_14;  /* F61 */
+    const int64_t b_next_y_16 = (int64_t)e_b * c_22;  /* F61 */
+    const int64_t b_next_y_17 = b_next_y_15 + b_next_y_16;  /* F61 */
+    const int64_t b_next_y_18 = (int64_t)e_ab * c_12;  /* F60 */
+    const int64_t b_next_y_19 = b_next_y_18 * INT64_C(2);  /* F61 */
+    const int64_t b_next_y_20 = b_next_y_17 - b_next_y_19;  /* F61 */
+    const int32_t b_next_y = round_31(b_next_y_20);  /* F30, |x| <= 1.13 */
     const int64_t b_next_z_9 = c_23 * INT64_C(2147483648);  /* F61 */
     const int64_t b_next_z_10 = (int64_t)44739243 /* 1/6 */ * b_next_z_6;  /* F61 */
     const int64_t b_next_z_11 = b_next_z_9 + b_next_z_10;  /* F61 */

@@ -23,7 +23,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       82       0   55        13       4       0     0     0     0       0      0
  * update shared           73       9   51        17       0       0     0     0     0       0      0
- * update emitted          73       0   47        21       0       0     0     0     0       0     72
+ * update emitted          73       0   48        20       1       0     0     0     0       0     68
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -38,6 +38,12 @@
 #endif
 
 
+/* x / 2^bits, rounded down, 0 <= bits < 32. */
+static inline int32_t shift_right_32(int32_t x, int bits)
+{
+    return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
+}
+
 /* x / 2^bits, rounded down, 0 <= bits < 64. */
 static inline int64_t shift_right_64(int64_t x, int bits)
 {
@@ -51,24 +57,10 @@ static inline int32_t round_1(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^5, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_5(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(16)) >> 5);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
 /* x / 2^6, rounded to nearest, halves up; the result fits 32 bits. */
 static inline int32_t round_6(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(32)) >> 6);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^10, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_10(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(512)) >> 10);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -120,6 +112,18 @@ static inline int32_t round_36(int64_t x)
     return (int32_t)shift_right_64(x + INT64_C(34359738368), 36);
 }
 
+/* x / 2^5, rounded to nearest, halves up. */
+static inline int32_t round_short_5(int32_t x)
+{
+    return shift_right_32(x + 16, 5);
+}
+
+/* x / 2^10, rounded to nearest, halves up. */
+static inline int32_t round_short_10(int32_t x)
+{
+    return shift_right_32(x + 512, 10);
+}
+
 void runge_kutta_4_quaternion_fixed32_init(runge_kutta_4_quaternion_fixed32_state *state)
 {
     state->q[0] = 1073741824 /* 1 */;
@@ -154,24 +158,20 @@ void runge_kutta_4_quaternion_fixed32_set_quaternion(
     /* q_next = q + e q */
     const int64_t q_next_w_part_1 = (int64_t)e * q_nb_w;  /* F70 */
     const int32_t q_next_w_part = round_30(q_next_w_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_w_1 = q_nb_w * INT64_C(1024);  /* F40 */
-    const int64_t q_next_w_2 = q_next_w_1 + q_next_w_part;  /* F40 */
-    const int32_t q_next_w = round_10(q_next_w_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_w_fine = round_short_10(q_next_w_part);  /* F30 */
+    const int32_t q_next_w = q_next_w_fine + q_nb_w;  /* F30, |x| <= 1.01 */
     const int64_t q_next_x_part_1 = (int64_t)e * q_nb_x;  /* F70 */
     const int32_t q_next_x_part = round_30(q_next_x_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_x_1 = q_nb_x * INT64_C(1024);  /* F40 */
-    const int64_t q_next_x_2 = q_next_x_1 + q_next_x_part;  /* F40 */
-    const int32_t q_next_x = round_10(q_next_x_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_x_fine = round_short_10(q_next_x_part);  /* F30 */
+    const int32_t q_next_x = q_next_x_fine + q_nb_x;  /* F30, |x| <= 1.01 */
     const int64_t q_next_y_part_1 = (int64_t)e * q_nb_y;  /* F70 */
     const int32_t q_next_y_part = round_30(q_next_y_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_y_1 = q_nb_y * INT64_C(1024);  /* F40 */
-    const int64_t q_next_y_2 = q_next_y_1 + q_next_y_part;  /* F40 */
-    const int32_t q_next_y = round_10(q_next_y_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_y_fine = round_short_10(q_next_y_part);  /* F30 */
+    const int32_t q_next_y = q_next_y_fine + q_nb_y;  /* F30, |x| <= 1.01 */
     const int64_t q_next_z_part_1 = (int64_t)e * q_nb_z;  /* F70 */
     const int32_t q_next_z_part = round_30(q_next_z_part_1);  /* F40, |x| <= 0.000978 */
-    const int64_t q_next_z_1 = q_nb_z * INT64_C(1024);  /* F40 */
-    const int64_t q_next_z_2 = q_next_z_1 + q_next_z_part;  /* F40 */
-    const int32_t q_next_z = round_10(q_next_z_2);  /* F30, |x| <= 1.01 */
+    const int32_t q_next_z_fine = round_short_10(q_next_z_part);  /* F30 */
+    const int32_t q_next_z = q_next_z_fine + q_nb_z;  /* F30, |x| <= 1.01 */
 
     /* store */
     state->q[0] = q_next_w;
@@ -338,54 +338,51 @@ void runge_kutta_4_quaternion_fixed32_update(
     const int32_t k3_z = round_30(k3_z_5);  /* F35, |x| <= 0.0545 */
 
     /* k4 = (q + k3) (x) g2 */
-    const int64_t q_next_x_1 = q_w * INT64_C(32);  /* F35 */
-    const int64_t q_next_x_2 = q_next_x_1 - k3_w_negated;  /* F35 */
-    const int32_t q_next_x_3 = round_5(q_next_x_2);  /* F30, |x| <= 1.12 */
-    const int64_t dq_e_w_1 = q_x * INT64_C(32);  /* F35 */
-    const int64_t dq_e_w_2 = dq_e_w_1 + k3_x;  /* F35 */
-    const int32_t dq_e_w_3 = round_5(dq_e_w_2);  /* F30, |x| <= 1.12 */
-    const int64_t dq_e_w_4 = q_y * INT64_C(32);  /* F35 */
-    const int64_t dq_e_w_5 = dq_e_w_4 + k3_y;  /* F35 */
-    const int32_t dq_e_w_6 = round_5(dq_e_w_5);  /* F30, |x| <= 1.12 */
-    const int64_t dq_e_w_7 = q_z * INT64_C(32);  /* F35 */
-    const int64_t dq_e_w_8 = dq_e_w_7 + k3_z;  /* F35 */
-    const int32_t dq_e_w_9 = round_5(dq_e_w_8);  /* F30, |x| <= 1.12 */
+    const int32_t q_next_x_1 = -k3_w_negated;  /* F35 */
+    const int32_t q_next_x_2 = round_short_5(q_next_x_1);  /* F30 */
+    const int32_t q_next_x_3 = q_next_x_2 + q_w;  /* F30, |x| <= 1.12 */
+    const int32_t dq_e_w_1 = round_short_5(k3_x);  /* F30 */
+    const int32_t dq_e_w_2 = dq_e_w_1 + q_x;  /* F30, |x| <= 1.12 */
+    const int32_t dq_e_w_3 = round_short_5(k3_y);  /* F30 */
+    const int32_t dq_e_w_4 = dq_e_w_3 + q_y;  /* F30, |x| <= 1.12 */
+    const int32_t dq_e_w_5 = round_short_5(k3_z);  /* F30 */
+    const int32_t dq_e_w_6 = dq_e_w_5 + q_z;  /* F30, |x| <= 1.12 */
 
     /* dq = (k1 + k4)/6 + (k2 + k3)/3 */
-    const int64_t dq_e_w_10 = k1_w_negated * INT64_C(1073741824);  /* F65 */
-    const int64_t dq_e_w_11 = (int64_t)dq_e_w_3 * g2_x;  /* F65 */
-    const int64_t dq_e_w_12 = dq_e_w_10 + dq_e_w_11;  /* F65 */
-    const int64_t dq_e_w_13 = (int64_t)dq_e_w_6 * g2_y;  /* F65 */
-    const int64_t dq_e_w_14 = dq_e_w_12 + dq_e_w_13;  /* F65 */
-    const int64_t dq_e_w_15 = (int64_t)dq_e_w_9 * g2_z;  /* F65 */
-    const int64_t dq_e_w_16 = dq_e_w_14 + dq_e_w_15;  /* F65 */
-    const int32_t dq_e_w_17 = round_31(dq_e_w_16);  /* F34, |x| <= 0.109 */
+    const int64_t dq_e_w_7 = k1_w_negated * INT64_C(1073741824);  /* F65 */
+    const int64_t dq_e_w_8 = (int64_t)dq_e_w_2 * g2_x;  /* F65 */
+    const int64_t dq_e_w_9 = dq_e_w_7 + dq_e_w_8;  /* F65 */
+    const int64_t dq_e_w_10 = (int64_t)dq_e_w_4 * g2_y;  /* F65 */
+    const int64_t dq_e_w_11 = dq_e_w_9 + dq_e_w_10;  /* F65 */
+    const int64_t dq_e_w_12 = (int64_t)dq_e_w_6 * g2_z;  /* F65 */
+    const int64_t dq_e_w_13 = dq_e_w_11 + dq_e_w_12;  /* F65 */
+    const int32_t dq_e_w_14 = round_31(dq_e_w_13);  /* F34, |x| <= 0.109 */
     const int64_t q_next_x_4 = k1_x * INT64_C(1073741824);  /* F65 */
     const int64_t q_next_x_5 = (int64_t)q_next_x_3 * g2_x;  /* F65 */
     const int64_t q_next_x_6 = q_next_x_4 + q_next_x_5;  /* F65 */
-    const int64_t q_next_x_7 = (int64_t)dq_e_w_6 * g2_z;  /* F65 */
+    const int64_t q_next_x_7 = (int64_t)dq_e_w_4 * g2_z;  /* F65 */
     const int64_t q_next_x_8 = q_next_x_6 + q_next_x_7;  /* F65 */
-    const int64_t q_next_x_9 = (int64_t)dq_e_w_9 * g2_y;  /* F65 */
+    const int64_t q_next_x_9 = (int64_t)dq_e_w_6 * g2_y;  /* F65 */
     const int64_t q_next_x_10 = q_next_x_8 - q_next_x_9;  /* F65 */
     const int32_t q_next_x_11 = round_31(q_next_x_10);  /* F34, |x| <= 0.109 */
     const int64_t q_next_y_1 = k1_y * INT64_C(1073741824);  /* F65 */
     const int64_t q_next_y_2 = (int64_t)q_next_x_3 * g2_y;  /* F65 */
     const int64_t q_next_y_3 = q_next_y_1 + q_next_y_2;  /* F65 */
-    const int64_t q_next_y_4 = (int64_t)dq_e_w_9 * g2_x;  /* F65 */
+    const int64_t q_next_y_4 = (int64_t)dq_e_w_6 * g2_x;  /* F65 */
     const int64_t q_next_y_5 = q_next_y_3 + q_next_y_4;  /* F65 */
-    const int64_t q_next_y_6 = (int64_t)dq_e_w_3 * g2_z;  /* F65 */
+    const int64_t q_next_y_6 = (int64_t)dq_e_w_2 * g2_z;  /* F65 */
     const int64_t q_next_y_7 = q_next_y_5 - q_next_y_6;  /* F65 */
     const int32_t q_next_y_8 = round_31(q_next_y_7);  /* F34, |x| <= 0.109 */
     const int64_t q_next_z_1 = k1_z * INT64_C(1073741824);  /* F65 */
     const int64_t q_next_z_2 = (int64_t)q_next_x_3 * g2_z;  /* F65 */
     const int64_t q_next_z_3 = q_next_z_1 + q_next_z_2;  /* F65 */
-    const int64_t q_next_z_4 = (int64_t)dq_e_w_3 * g2_y;  /* F65 */
+    const int64_t q_next_z_4 = (int64_t)dq_e_w_2 * g2_y;  /* F65 */
     const int64_t q_next_z_5 = q_next_z_3 + q_next_z_4;  /* F65 */
-    const int64_t q_next_z_6 = (int64_t)dq_e_w_6 * g2_x;  /* F65 */
+    const int64_t q_next_z_6 = (int64_t)dq_e_w_4 * g2_x;  /* F65 */
     const int64_t q_next_z_7 = q_next_z_5 - q_next_z_6;  /* F65 */
     const int32_t q_next_z_8 = round_31(q_next_z_7);  /* F34, |x| <= 0.109 */
-    const int64_t dq_e_w_18 = (int64_t)k2_w_negated + k3_w_negated;  /* F35 */
-    const int32_t dq_e_w_19 = round_1(dq_e_w_18);  /* F34, |x| <= 0.109 */
+    const int64_t dq_e_w_15 = (int64_t)k2_w_negated + k3_w_negated;  /* F35 */
+    const int32_t dq_e_w_16 = round_1(dq_e_w_15);  /* F34, |x| <= 0.109 */
     const int64_t q_next_x_12 = (int64_t)k2_x + k3_x;  /* F35 */
     const int32_t q_next_x_13 = round_1(q_next_x_12);  /* F34, |x| <= 0.109 */
     const int64_t q_next_y_9 = (int64_t)k2_y + k3_y;  /* F35 */
@@ -405,13 +402,13 @@ void runge_kutta_4_quaternion_fixed32_update(
     const int32_t e = round_27(e_8);  /* F34, |x| <= 0.0645 */
 
     /* dq_e = dq + e q */
-    const int64_t dq_e_w_20 = (int64_t)e * q_w;  /* F64 */
-    const int64_t dq_e_w_21 = dq_e_w_20 * INT64_C(4);  /* F66 */
-    const int64_t dq_e_w_22 = (int64_t)715827883 /* 1/6 */ * dq_e_w_17;  /* F66 */
-    const int64_t dq_e_w_23 = dq_e_w_21 - dq_e_w_22;  /* F66 */
-    const int64_t dq_e_w_24 = (int64_t)1431655765 /* 1/3 */ * dq_e_w_19;  /* F66 */
-    const int64_t dq_e_w_25 = dq_e_w_23 - dq_e_w_24;  /* F66 */
-    const int32_t dq_e_w = round_36(dq_e_w_25);  /* F30, |x| <= 0.123 */
+    const int64_t dq_e_w_17 = (int64_t)e * q_w;  /* F64 */
+    const int64_t dq_e_w_18 = dq_e_w_17 * INT64_C(4);  /* F66 */
+    const int64_t dq_e_w_19 = (int64_t)715827883 /* 1/6 */ * dq_e_w_14;  /* F66 */
+    const int64_t dq_e_w_20 = dq_e_w_18 - dq_e_w_19;  /* F66 */
+    const int64_t dq_e_w_21 = (int64_t)1431655765 /* 1/3 */ * dq_e_w_16;  /* F66 */
+    const int64_t dq_e_w_22 = dq_e_w_20 - dq_e_w_21;  /* F66 */
+    const int32_t dq_e_w = round_36(dq_e_w_22);  /* F30, |x| <= 0.123 */
 
     /* q_next = q + dq */
     const int32_t q_next_w = q_w + dq_e_w;  /* F30, |x| <= 1.06 */

@@ -28,6 +28,7 @@ OPERATIONS = frozenset(
         MachineOp.SHIFT_RIGHT,
         MachineOp.DIVIDE,
         MachineOp.NARROW,
+        MachineOp.REMAINDER,
         MachineOp.MULTIPLY,
         MachineOp.ADD,
         MachineOp.SUBTRACT,
@@ -77,6 +78,8 @@ def _run(
             return args[0]
         case MachineOp.CLAMP if isinstance(detail, Limits):
             return np.clip(args[0], np.int64(int(detail.low)), np.int64(int(detail.high)))
+        case MachineOp.REMAINDER if isinstance(detail, Shift):
+            return args[0] - args[1] * np.int64(1 << detail.bits)
         case MachineOp.SHIFT_LEFT if isinstance(detail, Shift):
             return args[0] * np.int64(1 << detail.bits)
         case MachineOp.SHIFT_RIGHT if isinstance(detail, Shift):

@@ -82,6 +82,33 @@ def _order(name: str) -> tuple[str, int]:
     return {"wrapped": "", "shift_right": " "}.get(word, word), int(number)
 
 
+def _remainder_name(operation: Operation, width: int) -> str:
+    assert isinstance(operation.format, Signal)
+    assert isinstance(operation.detail, Shift)
+    kind = "" if width > operation.format.width else "wide_" if width > 32 else "short_"
+    return f"left_of_{kind}{operation.detail.bits}"
+
+
+def _remainder(operation: Operation, widths: dict[int, int]) -> Furniture:
+    """Return the difference modulo the result's word, which it fits: so the lower words are enough."""
+    assert isinstance(operation.format, Signal)
+    assert isinstance(operation.detail, Shift)
+    whole, rounded = (widths[arg] for arg in operation.args)
+    name, result = _remainder_name(operation, whole), operation.format.width
+    # Below 32 bits C promotes to int, in which a shift of an unsigned word may overflow.
+    unsigned = f"uint{max(result, 32)}_t"
+    value = f"wrapped_{result}(left)" if result >= 32 else f"wrapped_{result}((uint{result}_t)left)"
+    return Furniture(
+        name,
+        f"/* whole - 2^{operation.detail.bits} rounded; the result fits {result} bits. */\n"
+        f"static inline int{result}_t {name}(int{whole}_t whole, int{rounded}_t rounded)\n"
+        "{\n"
+        f"    const {unsigned} left = ({unsigned})whole - (({unsigned})rounded << {operation.detail.bits});\n"
+        f"    return {value};\n"
+        "}\n",
+    )
+
+
 def _narrow_name(operation: Operation, width: int) -> str:
     assert isinstance(operation.format, Signal)
     return f"narrow_{width}_to_{operation.format.width}"
@@ -107,6 +134,9 @@ def _needed(operation: Operation, widths: dict[int, int], wraps: bool) -> Iterab
     if wraps and operation.op is MachineOp.NARROW and isinstance(operation.format, Signal):
         yield _wrapped(operation.format.width)
         yield _narrowing(operation, widths[operation.args[0]])
+    if operation.op is MachineOp.REMAINDER and isinstance(operation.format, Signal):
+        yield _wrapped(operation.format.width)
+        yield _remainder(operation, widths)
     if operation.op is MachineOp.SHIFT_RIGHT:
         width = widths[operation.args[0]]
         assert isinstance(operation.format, Signal)
@@ -265,6 +295,8 @@ class IntegerText:
         """Return the function an operation calls, and its constant arguments; None where it calls none."""
         if operation.op is MachineOp.SHIFT_RIGHT:
             return shift_name(operation, self.widths[operation.args[0]]), ()
+        if operation.op is MachineOp.REMAINDER:
+            return _remainder_name(operation, self.widths[operation.args[0]]), ()
         if self.wraps and operation.op is MachineOp.NARROW:
             return _narrow_name(operation, self.widths[operation.args[0]]), ()
         if self.wraps and operation.op in WRAPPING and isinstance(operation.format, Signal):

@@ -41,6 +41,7 @@ KINDS: Mapping[Enum, str] = {
     MachineOp.SHIFT_LEFT: "shift",
     MachineOp.SHIFT_RIGHT: "shift",
     MachineOp.NARROW: "",
+    MachineOp.REMAINDER: "subtract",
     RealOp.CARRY: "",
     RealOp.WIDE: "",
     RealOp.CLAMP: "",

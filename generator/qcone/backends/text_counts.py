@@ -53,6 +53,8 @@ def _lines(lines: Sequence[Line], bodies: Mapping[str, Sequence[Line]], counters
             found["power_of_two"] += 1
         elif line.kind.startswith(("round_", "floor_")):
             found["shift"] += 1
+        elif line.kind.startswith("left_of_"):
+            found["subtract"] += 1
         elif line.kind.startswith("clamp_"):
             found["select"] += 1
         elif line.kind.rpartition("_")[0] in WRAPPING:

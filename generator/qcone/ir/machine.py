@@ -34,6 +34,8 @@ class MachineOp(Enum):
     """An integer times a power of two."""
     SHIFT_RIGHT = "shift_right"
     """An integer over a power of two, rounded as `detail` says, in the word of the result."""
+    REMAINDER = "remainder"
+    """What rounding took away: the first operand less the second times a power of two, in the word of the result."""
     NARROW = "narrow"
     """An integer that is known to fit in the word of the result."""
 
@@ -52,5 +54,6 @@ ARITY: dict[MachineOp, int | None] = {
     MachineOp.CLAMP: 1,
     MachineOp.SHIFT_LEFT: 1,
     MachineOp.SHIFT_RIGHT: 1,
+    MachineOp.REMAINDER: 2,
     MachineOp.NARROW: 1,
 }

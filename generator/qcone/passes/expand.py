@@ -15,13 +15,16 @@ from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Operation, Place, Routine, Statement, Step, Write, unused
 
 
-def expand(routine: Routine) -> Routine:
-    """Return the routine in integer operations of the generic core."""
-    return _Expansion(routine).run()
+def expand(routine: Routine, narrow: bool = True) -> Routine:
+    """Return the routine in integer operations of the generic core.
+
+    With `narrow`, sums are made in single words where they are proved to fit.
+    """
+    return _Expansion(routine, narrow).run()
 
 
 class _Expansion:
-    def __init__(self, routine: Routine) -> None:
+    def __init__(self, routine: Routine, narrow: bool) -> None:
         self.routine = routine
         self.names = dict(routine.names)
         self.steps = list(routine.steps)
@@ -29,12 +32,16 @@ class _Expansion:
         self.body: list[Statement] = []
         self.kept: list[Write] = []
         self.formats: dict[int, Signal] = {}
+        self.bounds: dict[int, Fraction] = {}
+        self.narrow = narrow
 
     def run(self) -> Routine:
         for statement in self.routine.body:
             if isinstance(statement, Operation):
                 if isinstance(statement.format, Signal):
                     self.formats[statement.result] = statement.format
+                    if statement.bound is not None:
+                        self.bounds[statement.result] = statement.bound
                 if isinstance(statement.detail, Mac):
                     self._mac(statement, statement.detail)
                     continue
@@ -55,17 +62,58 @@ class _Expansion:
 
     def _mac(self, operation: Operation, mac: Mac) -> None:
         assert isinstance(operation.format, Signal)
-        wide = Signal(mac.accumulator, operation.format.fraction + mac.discard)
-        positive = [each for each in mac.terms if not each.negative]
-        first = positive[0] if positive else mac.terms[0]
-        total = self._term(first, wide, operation)
+        late = self._late_terms(operation, mac)
+        early = tuple(term for term in mac.terms if term not in late)
+        wide = Signal(operation.format.width if late else mac.accumulator, operation.format.fraction + mac.discard)
+        total = self._total(early, wide, operation)
+        if not late:
+            self._result(operation, mac, total, wide)
+            return
+        # What is a whole number of last bits is added after the rounding: floor((a 2^n + x)/2^n) = a + floor(x/2^n).
+        part, self.next = self.next, self.next + 1
+        name = self.names.get(operation.result)
+        if name:
+            self.names[part] = f"{name}_fine"
+        fine = replace(operation, result=part, bound=None)
+        self.formats[part] = operation.format
+        self._result(fine, mac, total, wide)
+        shifted = tuple(replace(term, shift=term.shift - mac.discard) for term in late)
+        whole = self._total((Aligned((part,)), *shifted), operation.format, operation)
+        self._rounded(operation, replace(mac, discard=0), whole)
+
+    def _late_terms(self, operation: Operation, mac: Mac) -> tuple[Aligned, ...]:
+        """Return the words that may be added after the rounding, where that leaves the sum before it in one word."""
+        assert isinstance(operation.format, Signal)
+        width = operation.format.width
+        if mac.rounding == "even" or mac.limits is not None or not self.narrow or width != 32 or mac.accumulator != 64:
+            return ()
+        late = tuple(each for each in mac.terms if len(each.args) == 1 and each.shift >= mac.discard > 0)
+        early = [each for each in mac.terms if each not in late]
+        if not late or not early or any(len(each.args) > 1 for each in early):
+            return ()
+        finest = operation.format.fraction + mac.discard
+        size = Fraction(2) ** (mac.discard + 1)
+        for each in early:
+            bound = self.bounds.get(each.args[0])
+            if bound is None or self.formats[each.args[0]].width != width:
+                return ()
+            size += bound * Fraction(2) ** finest
+        return late if size < 2 ** (width - 1) else ()
+
+    def _total(self, terms: tuple[Aligned, ...], wide: Signal, like: Operation) -> int:
+        positive = [each for each in terms if not each.negative]
+        first = positive[0] if positive else terms[0]
+        total = self._term(first, wide, like)
         if first.negative:
-            total = self._emit(MachineOp.NEGATE, (total,), wide, operation)
-        for term in mac.terms:
+            total = self._emit(MachineOp.NEGATE, (total,), wide, like)
+        for term in terms:
             if term is first:
                 continue
             op = MachineOp.SUBTRACT if term.negative else MachineOp.ADD
-            total = self._emit(op, (total, self._term(term, wide, operation)), wide, operation)
+            total = self._emit(op, (total, self._term(term, wide, like)), wide, like)
+        return total
+
+    def _result(self, operation: Operation, mac: Mac, total: int, wide: Signal) -> None:
         if mac.residual is not None:
             self._carried(operation, mac, total, wide)
         elif mac.limits is not None:
@@ -147,12 +195,9 @@ class _Expansion:
             rounded = self._clamped(operation, mac, total, wide)
         else:
             self._rounded(operation, mac, total)
-        back = self._emit(MachineOp.SHIFT_LEFT, (rounded,), wide, operation, Shift(mac.discard))
-        left = self._emit(MachineOp.SUBTRACT, (total, back), wide, operation)
+        signal = Signal(kept.width, wide.fraction)
+        left = self._emit(MachineOp.REMAINDER, (total, rounded), signal, operation, Shift(mac.discard))
         self.names[left] = f"{called}_left"
-        if wide.width > kept.width:
-            left = self._emit(MachineOp.NARROW, (left,), Signal(kept.width, wide.fraction), operation)
-            self.names[left] = f"{called}_left_over"
         self.kept.append(Write(place, left, self._step()))
 
     def _step(self) -> int:

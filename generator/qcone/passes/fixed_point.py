@@ -480,7 +480,7 @@ class _FixedPoint:
             state = (state[0], block, *state[1:])
             routines = [self._with_residual(routine, block) for routine in routines]
         macs = replace(self.program, state=state, routines=tuple(routines))
-        integers = replace(macs, routines=tuple(map(expand, routines)))
+        integers = replace(macs, routines=tuple(expand(each, self.number.overflow == "prove") for each in routines))
         return FixedProgram(macs, integers, proved)
 
     def _with_residual(self, routine: Routine, block: Block) -> Routine:

@@ -457,7 +457,7 @@ class Assigner:
                 return self._recast(operation, linear[0], finest - over, found)
             return self._split(operation, top)
         for at in top:
-            movable = [arg for arg in terms[at].args if arg not in self.forced and self._movable(arg)]
+            movable = [arg for arg in terms[at].args if arg not in self.forced and self.movable(arg)]
             if not movable:
                 raise self._no_room(operation, over)
             widest = max(movable, key=lambda arg: found.signals[arg].fraction)
@@ -466,7 +466,7 @@ class Assigner:
 
     def _wanted(self, term: Term, found: Formats, over: int) -> int | None:
         """Return an operand of a term that can do without its last `over` bits; None when there is none."""
-        free = [arg for arg in term.args if arg not in self.forced and self._movable(arg)]
+        free = [arg for arg in term.args if arg not in self.forced and self.movable(arg)]
         free.sort(key=lambda arg: -found.signals[arg].fraction)
         return next((arg for arg in free if self._harmless(arg, found.signals[arg].fraction - over, found)), None)
 
@@ -497,7 +497,7 @@ class Assigner:
         assert found.magnitudes is not None
         total = Fraction(0)
         for arg in term.args:
-            if self._movable(arg):
+            if self.movable(arg):
                 # By its own bound, not as it is kept now: else one loss would justify the next.
                 size = abs(term.coefficient) * self.number.ulp(found.magnitudes.of(arg)) / 2
                 others = list(term.args)
@@ -507,7 +507,7 @@ class Assigner:
                 total += size
         return total
 
-    def _movable(self, value: int) -> bool:
+    def movable(self, value: int) -> bool:
         self._index()
         operation = self.made.get(value)
         return operation is not None and operation.op in (RealOp.SUM, RealOp.CONSTANT, RealOp.WIDE, RealOp.SELECT)
