@@ -19,8 +19,8 @@ LAYERS: tuple[frozenset[str], ...] = (
     frozenset({"algorithms", "passes", "backends", "targets", "reference"}),
     frozenset(
         {
-            *("admission", "assembly", "bundle", "contract", "pipeline", "printing", "registry", "state_routines"),
-            *("vectors", "verify", "words"),
+            *("admission", "assembly", "bundle", "contract", "pipeline", "printing", "registry", "sensor"),
+            *("state_routines", "vectors", "verify", "words"),
         }
     ),
     frozenset({"studies", "reports"}),

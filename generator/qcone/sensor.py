@@ -40,7 +40,9 @@ def increments_of_counts(counts: Sequence[Vector], design: Design, interval: Fra
         theta: Vector = of(builder, Shape.VECTOR, values, norm)
         mark = str(k + 1) if len(counts) > 1 else ""
         text = f"theta{mark} = quantum T/N counts{' - bias' if design.imu.bias_dps else ''}, rad, the residue carried"
-        made.append(step(text if design.imu.calibration is None else text.replace("= quantum", "= M quantum"), "", theta))
+        made.append(
+            step(text if design.imu.calibration is None else text.replace("= quantum", "= M quantum"), "", theta)
+        )
     return made
 
 
@@ -67,11 +69,11 @@ def largest_count(design: Design) -> int:
     gain = Fraction(1) if rows is None else _inverse_norm(rows)
     bias = max((abs(each) for each in design.imu.bias_dps or ()), default=Fraction(0))
     most = (design.imu.max_rate_dps * gain + bias) / quantum + 1
-    return min(-(-most.numerator // most.denominator), 2 ** (COUNT_BITS - 1))
+    return min(-(-most.numerator // most.denominator), 1 << (COUNT_BITS - 1))
 
 
 def _inverse_norm(rows: Sequence[Sequence[Fraction]]) -> Fraction:
-    """Return a bound of |M^-1 w| / |w|: the Frobenius norm of the inverse, by cofactors. ZeroDivisionError if singular."""
+    """Return a bound of |M^-1 w| / |w|, by cofactors. Raises ZeroDivisionError for a singular M."""
     (a, b, c), (d, e, f), (g, h, i) = rows
     cofactors = (
         *(e * i - f * h, c * h - b * i, b * f - c * e),
@@ -88,4 +90,3 @@ def clamped(builder: Builder, vector: Vector, limit: Fraction, norm: Fraction) -
     values = [builder.clamp(value, -limit, limit) for value in vector.values]
     limited: Vector = of(builder, Shape.VECTOR, values, norm)
     return limited
-

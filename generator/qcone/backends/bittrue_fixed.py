@@ -79,5 +79,6 @@ def _mac(operation: Operation, mac: Mac, values: Mapping[int, Any], memory: Mapp
     if mac.residual is not None:
         kept.append((mac.residual[0], mac.residual[1].constant, total - result * np.int64(1 << mac.discard)))
     if mac.limits is not None:
-        result = np.clip(result, *map(np.int64, mac.limits))
+        low, high = map(np.int64, mac.limits)
+        result = np.clip(result, low, high)
     return result
