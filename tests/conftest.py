@@ -24,6 +24,16 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="fail, rather than skip, where an optional tool or folder is absent",
     )
+    parser.addoption(
+        "--rows", type=int, default=None, help="rows of long runs, where a test takes as many as asked for"
+    )
+
+
+@pytest.fixture(scope="session")
+def rows(pytestconfig: pytest.Config) -> int | None:
+    """As many rows as are asked for; None for the test's own number."""
+    asked: int | None = pytestconfig.getoption("--rows")
+    return asked
 
 
 @pytest.fixture(scope="session")

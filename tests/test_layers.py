@@ -20,7 +20,7 @@ LAYERS: tuple[frozenset[str], ...] = (
     frozenset(
         {
             *("admission", "assembly", "bundle", "contract", "cost", "on_avr", "on_board", "on_target", "outcomes"),
-            *("pipeline", "printing", "registry", "state_routines", "stepwise", "vectors", "verify", "words"),
+            *("pipeline", "printing", "registry", "sensor", "state_routines", "stepwise", "vectors", "verify", "words"),
         }
     ),
     frozenset({"studies", "reports"}),

@@ -272,7 +272,9 @@ def _given(design: Design, algorithm: Algorithm, known: Declaration) -> Block:
     """Return the block an update is handed: increments, rates or whole counts."""
     if design.input == "counts":
         unit = "whole counts of the gyro, sensor axes"
-        return Block("counts", Shape.VECTOR, Role.INPUT, algorithm.subsamples, unit, format=Signal(sensor.COUNT_BITS, 0))
+        return Block(
+            "counts", Shape.VECTOR, Role.INPUT, algorithm.subsamples, unit, format=Signal(sensor.COUNT_BITS, 0)
+        )
     name, unit, norm = ("omega", "rad/s", known.rate) if design.input == "rate" else ("dtheta", "rad", known.increment)
     return Block(name, Shape.VECTOR, Role.INPUT, algorithm.subsamples, unit, norm)
 

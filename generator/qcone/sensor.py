@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import sqrt
 
 from qcone.design import Design
 from qcone.ir.blocks import Scalar, Vector, of
@@ -40,7 +41,9 @@ def increments_of_counts(counts: Sequence[Vector], design: Design, interval: Fra
         theta: Vector = of(builder, Shape.VECTOR, values, norm)
         mark = str(k + 1) if len(counts) > 1 else ""
         text = f"theta{mark} = quantum T/N counts{' - bias' if design.imu.bias_dps else ''}, rad, the residue carried"
-        made.append(step(text if design.imu.calibration is None else text.replace("= quantum", "= M quantum"), "", theta))
+        made.append(
+            step(text if design.imu.calibration is None else text.replace("= quantum", "= M quantum"), "", theta)
+        )
     return made
 
 
@@ -67,7 +70,7 @@ def largest_count(design: Design) -> int:
     gain = Fraction(1) if rows is None else _inverse_norm(rows)
     bias = max((abs(each) for each in design.imu.bias_dps or ()), default=Fraction(0))
     most = (design.imu.max_rate_dps * gain + bias) / quantum + 1
-    return min(-(-most.numerator // most.denominator), 2 ** (COUNT_BITS - 1))
+    return min(-(-most.numerator // most.denominator), 1 << (COUNT_BITS - 1))
 
 
 def counts_radius(design: Design) -> float:
@@ -75,14 +78,14 @@ def counts_radius(design: Design) -> float:
     quantum = design.imu.quantum_dps
     assert quantum is not None
     rows = design.imu.calibration or ((1, 0, 0), (0, 1, 0), (0, 0, 1))
-    gain = float(sum(Fraction(each) ** 2 for row in rows for each in row)) ** 0.5
-    bias = float(sum(each * each for each in design.imu.bias_dps or ())) ** 0.5
+    gain = sqrt(sum(Fraction(each) ** 2 for row in rows for each in row))
+    bias = sqrt(sum(each * each for each in design.imu.bias_dps or ()))
     gain = 1.0 if design.imu.calibration is None else gain
     return max(1.0, min((float(design.imu.max_rate_dps) / gain - bias) / float(quantum), 32767.0))
 
 
 def _inverse_norm(rows: Sequence[Sequence[Fraction]]) -> Fraction:
-    """Return a bound of |M^-1 w| / |w|: the Frobenius norm of the inverse, by cofactors. ZeroDivisionError if singular."""
+    """Return a bound of |M^-1 w| / |w|, by cofactors. Raises ZeroDivisionError for a singular M."""
     (a, b, c), (d, e, f), (g, h, i) = rows
     cofactors = (
         *(e * i - f * h, c * h - b * i, b * f - c * e),
@@ -99,4 +102,3 @@ def clamped(builder: Builder, vector: Vector, limit: Fraction, norm: Fraction) -
     values = [builder.clamp(value, -limit, limit) for value in vector.values]
     limited: Vector = of(builder, Shape.VECTOR, values, norm)
     return limited
-

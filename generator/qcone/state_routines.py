@@ -11,7 +11,6 @@ from fractions import Fraction
 from qcone.algorithms import attitude, outputs
 from qcone.ir.blocks import Matrix, Quantity, Quaternion, Vector, of
 from qcone.ir.builder import Builder
-from qcone.ir.index import Index
 from qcone.ir.statement import Block, Place, Ready, Role, Routine, Shape, Step
 from qcone.ir.writing import Writing
 from qcone.sensor import clamped
@@ -166,5 +165,3 @@ def write(builder: Builder, block: Block, entry: int, quantity: Quantity) -> Non
     """Store a quantity in one entry of a block."""
     for part, value in enumerate(quantity.values):
         builder.write(block, block.shape.value * entry + part, value)
-
-

@@ -107,9 +107,7 @@ def rounded(
     return up
 
 
-def _mac(
-    mac: Mac, values: Mapping[int, Any], memory: Mapping[str, Array], kept: Kept, fit: Callable[..., Any]
-) -> Any:
+def _mac(mac: Mac, values: Mapping[int, Any], memory: Mapping[str, Array], kept: Kept, fit: Callable[..., Any]) -> Any:
     total: Any = np.int64(0)
     for term in mac.terms:
         value = values[term.args[0]]
@@ -126,5 +124,6 @@ def _mac(
         left = fit(total - result * np.int64(1 << mac.discard), mac.accumulator)
         kept.append((mac.residual[0], mac.residual[1].constant, left))
     if mac.limits is not None:
-        result = np.clip(result, *map(np.int64, mac.limits))
+        low, high = map(np.int64, mac.limits)
+        result = np.clip(result, low, high)
     return result

@@ -7,8 +7,9 @@ and narrowing it takes the fewest instructions; it holds for up to as many bits 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from enum import Enum
 from fractions import Fraction
 
 from qcone.formats.fixed import Fixed, Signal
@@ -17,8 +18,7 @@ from qcone.ir.detail import Limits, Shift
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Operation, Program, Routine, Statement, walk
 
-
-WRAPPING = {
+WRAPPING: Mapping[Enum, str] = {
     MachineOp.ADD: "add",
     MachineOp.SUBTRACT: "subtract",
     MachineOp.NEGATE: "negate",

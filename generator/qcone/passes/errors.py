@@ -12,7 +12,8 @@ from fractions import Fraction
 from qcone.ir.detail import Sum, Term
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation
-from qcone.passes.qassign import Assigner, Formats, nearest
+from qcone.passes.choices import Formats, nearest
+from qcone.passes.qassign import Assigner
 
 ZERO = Fraction(0)
 

@@ -146,7 +146,9 @@ class _Expansion:
         whole = total
         if mac.discard:
             signal = Signal(wide.width, operation.format.fraction)
-            whole = self._emit(MachineOp.SHIFT_RIGHT, (total,), signal, operation, Shift(mac.discard, mac.rounding, wide.width))
+            whole = self._emit(
+                MachineOp.SHIFT_RIGHT, (total,), signal, operation, Shift(mac.discard, mac.rounding, wide.width)
+            )
         low, high = mac.limits
         limits = Limits(Fraction(low), Fraction(high))
         self.body.append(replace(operation, op=MachineOp.CLAMP, args=(whole,), detail=limits))

@@ -12,18 +12,19 @@ from fractions import Fraction
 
 from qcone.errors import UsageError
 from qcone.formats.fixed import Fixed, Signal
-from qcone.ir.index import Index
 from qcone.ir.detail import Sum, Term
+from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Block, Choose, Operation, Place, Program, Role, Routine, Statement, Write, unused
+from qcone.passes.choices import Formats
 from qcone.passes.errors import errors
 from qcone.passes.expand import expand
 from qcone.passes.fuse import fuse
 from qcone.passes.high_word import WORD, HighWord, high_word
 from qcone.passes.lower_fixed import Residual, lower_fixed, residual_block
 from qcone.passes.magnitudes import Declared, Magnitudes, Samples, root_above
-from qcone.passes.qassign import Assigner, Formats
+from qcone.passes.qassign import Assigner
 from qcone.passes.rebuild import rebuild
 from qcone.passes.sweep import sweep
 from qcone.passes.widen import widen
@@ -205,7 +206,8 @@ class _FixedPoint:
 
     def may_fit(self) -> bool:
         """Tell whether some range of the attitude's length is kept, if nothing is rounded."""
-        for self.spare, spread, self.nearest in self._spreads():
+        for spare, spread, nearest in self._spreads():
+            self.spare, self.nearest = spare, nearest
             self._settle(spread)
             declared = self._declared(spread)
             if all(self._may_stay(routine, declared, spread) for routine in self.fused):

@@ -13,8 +13,10 @@ from fractions import Fraction
 from qcone.errors import UsageError
 from qcone.formats.fixed import Signal
 from qcone.ir.detail import Sum, Term
+from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, Write
-from qcone.passes.qassign import Assigner, Formats
+from qcone.passes.choices import Formats
+from qcone.passes.qassign import Assigner
 
 WORD = 32
 LEAST = 22
@@ -46,17 +48,17 @@ def high_word(assigner: Assigner, found: Formats, carried: bool) -> tuple[Format
         changes = _changes(assigner, best, known, SEEN[carried])
         if not changes:
             break
-        caps = dict(assigner.caps)
+        caps = dict(assigner.choices.caps)
         for value, bits in changes.items():
-            assigner.caps[value] = min(bits, assigner.caps.get(value, bits))
+            assigner.choices.caps[value] = min(bits, assigner.choices.caps.get(value, bits))
         try:
             tried = assigner.run()
         except UsageError:
-            assigner.caps = caps
+            assigner.choices.caps = caps
             break
         now = _state(assigner, tried)
         if now.whole < known.whole:
-            assigner.caps = caps
+            assigner.choices.caps = caps
             best = assigner.run()
             break
         best, known = tried, now
@@ -68,6 +70,8 @@ def high_word(assigner: Assigner, found: Formats, carried: bool) -> tuple[Format
 class _State:
     weights: dict[int, Fraction]
     dropped: dict[int, int]
+    made: frozenset[int]
+    """Values that are sums: those whose bits are a choice."""
     total: Fraction
 
     @property
@@ -94,7 +98,12 @@ def _state(assigner: Assigner, found: Formats) -> _State:
             dropped[statement.result] = bits
         if bits > 0 and not statement.detail.carried:
             errors.append(weights.get(statement.result, Fraction(0)) * signal.lsb / 2)
-    return _State(weights, dropped, sum(errors, Fraction(0)))
+    made = frozenset(
+        each.result
+        for each in found.routine.body
+        if isinstance(each, Operation) and each.op in (RealOp.SUM, RealOp.WIDE)
+    )
+    return _State(weights, dropped, made, sum(errors, Fraction(0)))
 
 
 def _free(coefficient: Fraction) -> bool:
@@ -147,7 +156,7 @@ def _changes(assigner: Assigner, found: Formats, known: _State, seen: Fraction) 
     """Return fraction bits for values that can do with fewer, so that their sums drop a whole word."""
     changes: dict[int, int] = {}
     for value, bits in known.dropped.items():
-        if not LEAST <= bits < WORD or value in assigner.forced:
+        if not LEAST <= bits < WORD or value in assigner.choices.forced:
             continue
         signal: Signal = found.signals[value]
         wanted = signal.fraction - (WORD - bits)
@@ -161,9 +170,7 @@ def _changes(assigner: Assigner, found: Formats, known: _State, seen: Fraction) 
     return changes
 
 
-def _fewer(
-    assigner: Assigner, found: Formats, known: _State, operation: Operation, seen: Fraction
-) -> dict[int, int]:
+def _fewer(assigner: Assigner, found: Formats, known: _State, operation: Operation, seen: Fraction) -> dict[int, int]:
     """Return fewer bits for the factors of a sum's finest products, so that all are on one binary point."""
     assert isinstance(operation.detail, Sum)
     _, bits = found.accumulated(operation)
@@ -186,12 +193,10 @@ def _fewer(
     return changes
 
 
-def _factor(
-    assigner: Assigner, found: Formats, known: _State, term: Term, less: int, seen: Fraction
-) -> int | None:
+def _factor(assigner: Assigner, found: Formats, known: _State, term: Term, less: int, seen: Fraction) -> int | None:
     """Return a factor that can do with so many bits less; None where none can."""
     for value in sorted(term.args, key=lambda arg: known.weights.get(arg, Fraction(0))):
-        if value in assigner.forced or not assigner.movable(value) or term.args[0] == term.args[1]:
+        if value in assigner.choices.forced or value not in known.made or term.args[0] == term.args[1]:
             continue
         added = known.weights.get(value, Fraction(0)) * found.signals[value].lsb * 2 ** (less - 1)
         if added <= seen * ALIGNED:

@@ -18,7 +18,8 @@ from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Block, Operation, Role, Routine, Shape, Statement, Write, unused
-from qcone.passes.qassign import Assigner, Formats, nearest
+from qcone.passes.choices import Formats, nearest
+from qcone.passes.qassign import Assigner
 
 
 @dataclass(frozen=True)
@@ -228,8 +229,13 @@ class _Lowering:
                 self.renamed[result] = word
                 return
         self.body.extend(literals)
-        size = self.assigner.accumulator_size(operation, self.found)
-        narrow = self.number.overflow == "prove" and size < 2 ** (self.number.width - 1) and self.number.width == 32 and signal.width == 32
+        size = self.found.accumulator_size(operation)
+        narrow = (
+            self.number.overflow == "prove"
+            and size < 2 ** (self.number.width - 1)
+            and self.number.width == 32
+            and signal.width == 32
+        )
         linear = all(len(each.args) == 1 for each in aligned)
         accumulator = self.number.width if narrow and linear else self.number.wide
         residual = None

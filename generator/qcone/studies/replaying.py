@@ -97,9 +97,8 @@ def _suits(bundle: Bundle, recording: Recording) -> None:
     design = bundle.facts.design
     wanted = design.input
     if recording.kind != wanted:
-        raise UsageError(
-            f"design '{design.name}' takes input = \"{design.input}\", the recording was read as {recording.kind.removesuffix('s')}s"
-        )
+        read = f"the recording was read as {recording.kind.removesuffix('s')}s"
+        raise UsageError(f"design '{design.name}' takes input = \"{design.input}\", {read}")
     if recording.quantum_dps is not None and recording.quantum_dps != design.imu.quantum_dps:
         raise UsageError(
             f"design '{design.name}' takes counts of {design.imu.quantum_dps} deg/s, the recording has counts of "
