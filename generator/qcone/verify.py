@@ -107,14 +107,15 @@ def _run_model(bundle: Bundle, program: Program, vectors: Vectors) -> NDArray[An
     given = bundle.machine.routine("update").having(Role.INPUT)[0].name
     with np.errstate(all="ignore"):
         for step in range(steps):
-            _restart(model, bundle, state, vectors, step)
+            restart_lanes(model, bundle, state, vectors, step)
             model.run("update", state, {given: np.ascontiguousarray(vectors.inputs[:, step].T)})
             reported = [each for name, _ in bundle.driver.outputs for each in model.run(name, state).values()]
             np.concatenate([*state.values(), *reported], out=words[step], casting="unsafe")
     return np.ascontiguousarray(words.transpose(2, 0, 1))
 
 
-def _restart(model: Model, bundle: Bundle, state: State, vectors: Vectors, step: int) -> None:
+def restart_lanes(model: Model, bundle: Bundle, state: State, vectors: Vectors, step: int) -> None:
+    """Set anew the lanes that the vectors restart before a step."""
     for kind, name in ((INIT, "init"), (SET, bundle.driver.setter)):
         chosen = vectors.restart[:, step] == kind
         if not chosen.any():

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import asdict
 from pathlib import Path
 
 import click
 
 from qcone.cli.group import design_options, main, print_rows, report, say
 from qcone.reports.progress import shown
+
+STUDIES = "error-model: thesis2008's propagation; number-formats: what words and roundings cost."
 
 
 @main.command("list")
@@ -54,12 +57,19 @@ def reproduce(paper: str | None, plots: Path | None, seed: int, rate_hz: float, 
 
 
 @main.command()
+@click.option("--study", type=click.Choice(("error-model", "number-formats")), default="error-model", help=STUDIES)
+@click.option("--quantum-arcsec", type=float, metavar="ARCSEC", help="Quantum of the gyro, for number-formats.")
+@click.option("--seed", default=1, type=click.IntRange(0), help="Seed of the attitudes, for number-formats.")
 @click.option("--frequency-hz", default=2.5, metavar="HZ", help="Frequency of the coning motion of thesis2008.")
 @report
-def accuracy(frequency_hz: float, layout: str) -> None:
-    """Propagate errors of a unit by the additive model of thesis2008, beside their simulation."""
-    from qcone.studies import error_model
+def accuracy(study: str, quantum_arcsec: float | None, seed: int, frequency_hz: float, layout: str) -> None:
+    """Study accuracy: of a unit with errors, by the model of thesis2008; of the number formats, on three motions."""
+    from qcone.studies import error_model, word_lengths
 
+    if study == "number-formats":
+        found = word_lengths.rows(quantum_arcsec=quantum_arcsec, seed=seed)
+        print_rows("accuracy", [asdict(each) for each in found], layout)
+        return
     cases = shown(error_model.standard_cases(), "propagating")
     print_rows("accuracy", error_model.error_rows(error_model.coning(frequency_hz), cases), layout)
 

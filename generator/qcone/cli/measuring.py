@@ -31,6 +31,7 @@ TARGETS = "Where the C runs: all, or names with commas, as in cortex-m0,cortex-m
     default="unicorn",
     help="What plays the target; simavr an AVR.",
 )
+@click.option("--ranges", is_flag=True, help="Show the bits every value of a fixed-point design uses on these rows.")
 @click.option("--flush-to-zero", "flush", is_flag=True, help="Have the target's FPU take subnormal numbers for zero.")
 @report
 def verify(
@@ -42,13 +43,17 @@ def verify(
     rows: int | None,
     seed: int,
     executor: str,
+    ranges: bool,
     flush: bool,
     layout: str,
 ) -> None:
     """Compare the compiled C with the bit-true model, bit for bit."""
     from qcone.studies.selection import designs_of
-    from qcone.studies.verifying import Request, verify_designs
+    from qcone.studies.verifying import Request, ranges_of, verify_designs
 
+    if ranges:
+        print_rows("verify", list(ranges_of(shown(designs_of(files, names, say), "running"), rows, seed)), layout)
+        return
     request = Request(target, rows, cc, cflags, seed, executor, flush)
     lines = list(verify_designs(shown(designs_of(files, names, say), "verifying"), request))
     print_rows("verify", [each.row for each in lines], layout)

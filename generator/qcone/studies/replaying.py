@@ -83,6 +83,14 @@ def replay(
     return Replay(updates.time_s, outputs["quaternion"], tuple(notes), outputs)
 
 
+def vectors_of(bundle: Bundle, recording: Recording, initial: Sequence[float]) -> Vectors:
+    """Return a recording as the rows a design is run on. Raises UsageError when the recording does not suit it."""
+    if bundle.facts.design.input == "increment":
+        recording = recording.as_increments()
+    _suits(bundle, recording)
+    return _vectors(bundle, split_updates(recording, bundle.facts.algorithm.subsamples), initial)
+
+
 def outputs_of(bundle: Bundle, words: NDArray[Any]) -> dict[str, NDArray[np.float64]]:
     """Return the outputs (lanes, steps, k) by name, of the words (lanes, steps, words) a run wrote."""
     found, first = {}, len(bundle.driver.state_words)

@@ -8,12 +8,14 @@ from math import pi
 from pathlib import Path
 
 from qcone.design import Design, design_from_options
+from qcone.design.numbers import exact
 from qcone.errors import UsageError
 from qcone.pipeline import build
 from qcone.registry import algorithm_of, entries
+from qcone.studies import ranges_used
 from qcone.studies.attitude_csv import write_attitude
 from qcone.studies.recording import Recording, max_rate_dps
-from qcone.studies.replaying import Replay, angles_between, replay
+from qcone.studies.replaying import Replay, angles_between, replay, vectors_of
 from qcone.studies.selection import Say, caution
 
 DEGREES = 180 / pi
@@ -45,6 +47,35 @@ def design_for(recording: Recording, algorithm: str, options: Mapping[str, str |
 
 def _decimal(value: Fraction) -> str:
     return str(value.numerator) if value.denominator == 1 else repr(float(value))
+
+
+def quantum(kind: str, text: str | None, designs: Sequence[Design]) -> Fraction | None:
+    """Return the deg/s of one count, as given or as the designs have it; None where rows are no counts.
+
+    Raises UsageError for an option that is no positive number, or that goes with no counts.
+    """
+    if kind != "counts":
+        if text is not None:
+            raise UsageError("--quantum-dps: it belongs to --input counts, leave it out")
+        return None
+    if text is None:
+        return next((each.imu.quantum_dps for each in designs if each.imu.quantum_dps is not None), None)
+    try:
+        found = exact(text, rational=True)
+    except (OverflowError, ZeroDivisionError):
+        found = None
+    if found is None or found <= 0:
+        raise UsageError(f"--quantum-dps {text}: write a positive number, such as 2000/32768 or 0.061")
+    return found
+
+
+def ranges(designs: Sequence[Design], recording: Recording, initial: Sequence[float]) -> list[dict[str, object]]:
+    """Return the bits that every value of fixed-point designs uses along a recording."""
+    found: list[dict[str, object]] = []
+    for design in designs:
+        bundle = build(design)
+        found += ranges_used.rows(bundle, vectors_of(bundle, recording, initial))
+    return found
 
 
 def quaternion(text: str) -> tuple[float, float, float, float]:

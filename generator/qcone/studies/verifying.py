@@ -14,10 +14,11 @@ from qcone.design import Design
 from qcone.errors import UsageError
 from qcone.outcomes import NOT_MEASURED, Outcome
 from qcone.pipeline import build
+from qcone.studies import ranges_used
 from qcone.targets.cross import check_suits, cross_compiler, suits
 from qcone.targets.machines import NONE, TARGETS, Target, targets_of
 from qcone.targets.qemu import boards_for
-from qcone.vectors import draw_chain
+from qcone.vectors import draw, draw_chain
 
 HOST_ROWS = 100_000
 WORKERS = max(1, min(4, os.cpu_count() or 1))
@@ -43,6 +44,13 @@ class Line:
     row: dict[str, object]
     failed: bool
     measured: bool = True
+
+
+def ranges_of(designs: Iterable[Design], rows: int | None, seed: int) -> Iterator[dict[str, object]]:
+    """Yield the bits that every value of fixed-point designs uses. Raises UsageError for a design of floats."""
+    for design in designs:
+        bundle = build(design)
+        yield from ranges_used.rows(bundle, draw(bundle, rows or HOST_ROWS, seed))
 
 
 def verify_designs(designs: Iterable[Design], request: Request) -> Iterator[Line]:
