@@ -36,6 +36,8 @@ class Replay:
     q: NDArray[np.float64]
     notes: tuple[str, ...]
     outputs: Mapping[str, NDArray[np.float64]]
+    raw: NDArray[np.int64] | None = None
+    """The raw words of `q` in fixed point."""
 
 
 def replay(
@@ -80,7 +82,7 @@ def replay(
             raise CheckError(f"{differing} bits differ: {outcomes.describe_first(bundle, vectors, words, expected)}")
         notes.append(f"0 differing bits against the bit-true model in {vectors.rows} updates")
     outputs = {name: each[0] for name, each in outputs_of(bundle, words).items()}
-    return Replay(updates.time_s, outputs["quaternion"], tuple(notes), outputs)
+    return Replay(updates.time_s, outputs["quaternion"], tuple(notes), outputs, _raw(bundle, words))
 
 
 def vectors_of(bundle: Bundle, recording: Recording, initial: Sequence[float]) -> Vectors:
@@ -99,6 +101,18 @@ def outputs_of(bundle: Bundle, words: NDArray[Any]) -> dict[str, NDArray[np.floa
         found[name] = from_words(bundle, block.name, words[..., first : first + size])
         first += size
     return found
+
+
+def _raw(bundle: Bundle, words: NDArray[Any]) -> NDArray[np.int64] | None:
+    """Return the raw words of the reported quaternion (steps, 4); None for floats."""
+    if bundle.macs is None:
+        return None
+    first = len(bundle.driver.state_words)
+    for name, size in bundle.driver.outputs:
+        if name == "quaternion":
+            break
+        first += size
+    return words[0, :, first : first + 4].astype(np.int64)
 
 
 def _suits(bundle: Bundle, recording: Recording) -> None:

@@ -109,7 +109,7 @@ def run(
         if first is None:
             first = done
             if output is not None:
-                write_attitude(output, done.time_s, done.q)
+                write_attitude(output, done.time_s, done.q, done.raw)
         rows.append({**_difference(design, done, first), "differing_bits": 0 if compare else None})
     return rows
 
