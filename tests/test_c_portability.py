@@ -154,6 +154,8 @@ def public_names(name: str) -> frozenset[str]:
     words |= {"start"} if design.input == "rate" else set()
     words |= {"renormalise"} if design.renormalise == "separate" else set()
     words |= {"ready", "error_estimate"} if design.algorithm == "adams-moulton-4" else set()
+    if design.rins:
+        words |= {"set_correction", "correct", "body_quaternion"} | {f"body_{each}" for each in design.outputs}
     return frozenset(f"{name}_{word}" for word in words)
 
 

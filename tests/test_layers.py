@@ -20,7 +20,8 @@ LAYERS: tuple[frozenset[str], ...] = (
     frozenset(
         {
             *("admission", "assembly", "bundle", "contract", "cost", "on_avr", "on_board", "on_target", "outcomes"),
-            *("pipeline", "printing", "registry", "sensor", "state_routines", "stepwise", "vectors", "verify", "words"),
+            *("pipeline", "printing", "registry", "sensor", "stage_contract", "stage_routines", "state_routines"),
+            *("stepwise", "unit_words", "vectors", "verify", "words"),
         }
     ),
     frozenset({"studies", "reports"}),

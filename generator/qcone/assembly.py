@@ -1,8 +1,9 @@
 """Assembly: an algorithm and a design become a program of the real language: every routine firmware calls.
 
 The state holds the attitude `q`; `omega_last` where the input is rates; `previous` and `count` where the
-algorithm looks back. The routines are `init`, `set_quaternion`, `start` (rates), `update` (with `start_up`
-and `steady` behind it where there is a history), `renormalise` (when separate), `quaternion` and `dcm`.
+algorithm looks back; last the harmonics of a rotating unit. The routines are `init`, `set_quaternion`, `start`
+(rates), `update` (with `start_up` and `steady` behind it where there is a history), `renormalise` (when separate),
+`quaternion` and `dcm`; last those of a rotating unit.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from qcone import sensor
+from qcone import stage_routines as stage
 from qcone import state_routines as around
 from qcone.algorithms import increments
 from qcone.design import Design
@@ -22,7 +24,7 @@ from qcone.ir.builder import Builder
 from qcone.ir.operations import RealOp
 from qcone.ir.specification import Algorithm, Author, Phase
 from qcone.ir.statement import Advance, Block, Choose, Place, Program, Role, Routine, Shape, Step
-from qcone.ir.writing import Functions, Series, Writing
+from qcone.ir.writing import Functions, Series, SmallAngle, Writing
 from qcone.passes import fixed_point
 from qcone.passes.exponential import Exponential
 from qcone.passes.magnitudes import Samples
@@ -49,6 +51,8 @@ class Declaration:
     increment: Fraction
     limit: Fraction
     """What each component handed in is limited to, in its unit, where the design clamps inputs."""
+    correction: Fraction | None = None
+    """The largest correction of a rotating unit, rad; None without that stage."""
 
 
 def declaration(design: Design, algorithm: Algorithm) -> Declaration:
@@ -63,7 +67,8 @@ def declaration(design: Design, algorithm: Algorithm) -> Declaration:
     if design.number.clamp_inputs:
         # Each component is limited by itself: the corner of that cube is sqrt(3) away.
         rate, increment = rate * ROOT_3_ABOVE, increment * ROOT_3_ABOVE
-    return Declaration(interval, round_up(rate, 8), round_up(increment, 8), round_up(limit, 8))
+    correction = round_up(design.rins.max_correction_arcsec * PI_ABOVE / 648000, 8) if design.rins else None
+    return Declaration(interval, round_up(rate, 8), round_up(increment, 8), round_up(limit, 8), correction)
 
 
 def in_fixed_point(
@@ -168,18 +173,24 @@ def assemble(algorithm: Algorithm, design: Design, writing: Writing) -> Program:
         routines.append(around.error_estimate(blocks["error"], writing))
     if algorithm.phases:
         routines.append(around.ready(blocks["count"], algorithm.held + 1))
+    if design.rins:
+        routines += stage.routines(state, design.outputs, writing, design.euler)
     return Program(design.name, state, tuple(routines))
 
 
-def writing_of(design: Design, series: Series | None, functions: Functions | None = None) -> Writing:
+def writing_of(
+    design: Design, series: Series | None, functions: Functions | None = None, small: SmallAngle | None = None
+) -> Writing:
     """Return how the design wants the shorthand written out."""
     rolled = design.loop == "rolled"
     fixed = design.number.format in WIDTHS
     carry = fixed and design.number.accumulate == "compensated"
     if design.form == "as-written":
-        return Writing("as-written", None, "standard", False, rolled, functions)
+        return Writing("as-written", None, "standard", False, rolled, functions, small)
     accumulate = "standard" if design.number.accumulate == "standard" else "delta"
-    return Writing("factored", series, accumulate, design.renormalise == "every", rolled, functions, fixed, carry)
+    return Writing(
+        "factored", series, accumulate, design.renormalise == "every", rolled, functions, small, fixed, carry
+    )
 
 
 def _state(algorithm: Algorithm, design: Design) -> tuple[Block, ...]:
@@ -195,6 +206,8 @@ def _state(algorithm: Algorithm, design: Design) -> tuple[Block, ...]:
     if _phases(algorithm):
         unit = "updates since the last restart, as far as they matter"
         blocks.append(Block("count", Shape.SCALAR, Role.STATE, unit=unit, integer=True))
+    if known := declaration(design, algorithm).correction:
+        blocks += stage.state(known)
     return tuple(blocks)
 
 

@@ -123,6 +123,7 @@ def with_manifest(bundle: Bundle) -> Mapping[str, str]:
             "rate_rad_s": str(facts.known.rate),
             "increment_rad": str(facts.known.increment),
             "rotation_vector_rad": str(chosen.phi_max) if chosen else None,
+            **({"correction_rad": str(facts.known.correction)} if facts.known.correction else {}),
         },
         "truncation": truncation(facts),
         "rounding": rounding(facts),

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 
-from qcone import __version__
+from qcone import __version__, stage_contract
 from qcone.assembly import Declaration
 from qcone.backends.counts import Counts
 from qcone.backends.page import Macro
@@ -86,23 +86,28 @@ def banner(facts: Facts) -> tuple[str, ...]:
         "",
         *_item("algorithm", f"{algorithm.name}, form {design.form}, {_accumulation(facts)}"),
         *_item("source", _source(algorithm)),
+        *(_item("stage", stage_contract.STAGE) if design.rins else []),
         *(_item("equation", algorithm.summary) if algorithm.summary else []),
         *_item("number", _number(facts)),
         *_item("flags", _flags(facts)),
         "",
         *_item("range", _range(facts)),
+        *(_item("unit", stage_contract.declared(design.rins, facts.known)) if design.rins else []),
         *_item("truncation", truncation(facts)),
         *_item("rounding", rounding(facts)),
         *_words(facts),
         *(_item("caution", caution) if caution else []),
         "",
-        f"{'operations':<18}multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select"
-        + "  shift" * fixed,
     ]
+    wide = max(18, *(len(f"{routine} {level} ") for routine, levels in facts.counts.items() for level in levels))
+    lines.append(
+        f"{'operations':<{wide}}multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select"
+        + "  shift" * fixed
+    )
     for routine, levels in facts.counts.items():
         for level, counts in levels.items():
             lines.append(
-                f"{routine + ' ' + level:<18}{counts.multiply:>8}{counts.power_of_two:>8}{counts.add:>5}"
+                f"{routine + ' ' + level:<{wide}}{counts.multiply:>8}{counts.power_of_two:>8}{counts.add:>5}"
                 f"{counts.subtract:>10}{counts.negate:>8}{counts.divide:>8}{counts.square_root:>6}{counts.trigonometric:>6}"
                 f"{counts.compare:>6}{counts.select:>8}" + (f"{counts.shift:>7}" if fixed else "")
             )
@@ -277,11 +282,15 @@ def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
     ctype, n = facts.number.ctype, facts.algorithm.subsamples
     rates = facts.design.input == "rate"
     text: dict[str, list[str]] = {
-        "init": ["The attitude is the identity; history and residual are empty."],
+        "init": [
+            "The attitude is the identity; history and residual are empty.",
+            *(["The correction is zero."] if facts.design.rins else []),
+        ],
         "set_quaternion": [
             "q_nb: w, x, y, z, of unit length to within the format's rounding; body to navigation.",
             "One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are cleared.",
             *(["The newest rate is kept: start() need not be called again."] if rates else []),
+            *(["The correction is kept."] if facts.design.rins else []),
         ],
         "set_dcm": [
             "c_nb: row major, orthonormal to within the format's rounding; v_n = C_nb v_b.",
@@ -305,6 +314,8 @@ def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
             "starter waits."
         ],
     }
+    if isinstance(facts.number, Floating):
+        text |= stage_contract.of_routines(facts.number, facts.known, _angles(facts))
     if routine.name != "update":
         lines = text[routine.name]
     else:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from qcone.backends.page import board_main
 from qcone.bundle import Bundle
@@ -46,12 +48,19 @@ def verify_on_board(
     return judged(outcome, bundle, vectors, words, model_steps(bundle, vectors, words), mask)
 
 
+def _unit(vectors: Vectors) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return angles (n, 1) and harmonics (n, 9) of a rotating unit."""
+    angles, harmonics = vectors.unit
+    return angles[0, :, np.newaxis], harmonics[0]
+
+
 def rows_of(vectors: Vectors) -> bytes:
     """Return the rows of the only lane as structures of C, one after another."""
     parts = {
         "attitude": vectors.attitude[0],
         "before": vectors.before[0],
         "input": vectors.inputs[0],
+        **({} if vectors.encoder is None else dict(zip(("encoder", "correction"), _unit(vectors), strict=True))),
         "restart": vectors.restart[0],
     }
     layout = [(name, part.dtype.newbyteorder("<"), part.shape[1:]) for name, part in parts.items()]

@@ -130,10 +130,11 @@ def _watched(
     if bundle.driver.has_start:
         calls.append(("start", (Pointer(0), Pointer(len(buffers)))))
         buffers.append(Buffer("omega", in_order(vectors.before[0, :1], target)))
-    outputs = []
+    outputs: list[tuple[str, tuple[Pointer, ...]]] = []
     for output, count in bundle.driver.outputs:
         outputs.append((output, (Pointer(0), Pointer(len(buffers)))))
         buffers.append(Buffer(f"the argument of {output}()", bytes(count * vectors.attitude.dtype.itemsize), True))
+    outputs += _stage(bundle, target, vectors, buffers)
     least = 0
     for row in range(rows):
         calls.append(("update", (Pointer(0), Pointer(2, row * size))))
@@ -147,6 +148,32 @@ def _watched(
     limits = {"instructions": INSTRUCTIONS, "least": least}
     fault = emulation.run(job_for(target, image, tuple(buffers), tuple(made), flush=flush, **limits)).fault
     return None if fault is None else told(image, fault)
+
+
+def _stage(
+    bundle: Bundle, target: Target, vectors: Vectors, buffers: list[Buffer]
+) -> list[tuple[str, tuple[Pointer, ...]]]:
+    """Return the calls of a rotating unit's stage, nothing without one; what they take joins the buffers."""
+    if not bundle.driver.stage:
+        return []
+    angles, harmonics = vectors.unit
+    size = vectors.attitude.dtype.itemsize
+    at: dict[str, int] = {}
+    for name, values in (
+        *zip(("azimuth", "tilt_x", "tilt_y"), np.split(harmonics[0, 1], 3), strict=True),
+        ("encoder", angles[0, :1]),
+    ):
+        at[name] = len(buffers)
+        buffers.append(Buffer(name, in_order(values, target)))
+    calls: list[tuple[str, tuple[Pointer, ...]]] = []
+    for name in ("set_correction", *(name for name, _ in bundle.driver.stage)):
+        routine = bundle.machine.routine(name)
+        for block in routine.having(Role.OUTPUT):
+            at[block.name] = len(buffers)
+            buffers.append(Buffer(f"{block.name} of {name}()", bytes(block.size * size), True))
+        taken = [Pointer(at[block.name]) for block in (*routine.having(Role.INPUT), *routine.having(Role.OUTPUT))]
+        calls.append((name, (*([Pointer(0)] if routine.having(Role.STATE) else []), *taken)))
+    return calls
 
 
 def _input(bundle: Bundle, routine: str) -> str:

@@ -88,13 +88,15 @@ def _difference(words: NDArray[Any], expected: NDArray[Any]) -> NDArray[Any]:
 
 PARTS = {3: ("roll", "pitch", "yaw"), 4: tuple("wxyz"), 9: tuple(f"{row}{column}" for row in "123" for column in "123")}
 """What the words of an output are, by their number."""
+TURN = {"correct": ("angle", "tilt x", "tilt y")}
+"""What the words of a rotating unit's correction are."""
 
 
 def word_names(bundle: Bundle) -> list[str]:
     """Return what each word of a row is."""
     cast = f"({bundle.driver.word_ctype})"
     names = [word.replace(cast, "").removeprefix("state.") for word in bundle.driver.state_words]
-    return names + [f"{name} {part}" for name, size in bundle.driver.outputs for part in PARTS[size]]
+    return names + [f"{name} {part}" for name, size in bundle.driver.reported for part in TURN.get(name, PARTS[size])]
 
 
 def describe_first(bundle: Bundle, vectors: Vectors, words: NDArray[Any], expected: NDArray[Any]) -> str:
@@ -105,7 +107,8 @@ def describe_first(bundle: Bundle, vectors: Vectors, words: NDArray[Any], expect
     lane, step = int(lanes[at]), int(steps[at])
     word = int(np.argmax(different[lane, step]))
     state: Sequence[float] = list(expected[lane, step - 1, : len(bundle.driver.state_words)]) if step else []
-    operands = ", ".join(map(_shown, vectors.inputs[lane, step]))
+    unit = [vectors.unit[0][lane, step]] if bundle.driver.stage else []
+    operands = ", ".join(map(_shown, [*vectors.inputs[lane, step], *unit]))
     before = ", ".join(map(_shown, state))
     return (
         f"lane {lane}, step {step}, {word_names(bundle)[word]}: C {_shown(words[lane, step, word])}, model "

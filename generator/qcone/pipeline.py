@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from qcone import stage_routines
 from qcone.admission import check_stages, number_of, problem
 from qcone.assembly import assemble, declaration, in_fixed_point, rotation_bound, writing_of
 from qcone.backends.counts import Counts, count
@@ -29,12 +30,13 @@ from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.specification import Algorithm
 from qcone.ir.statement import Program, Routine
+from qcone.ir.writing import Writing
 from qcone.passes.compensate import compensate
 from qcone.passes.exponential import Exponential, choose
 from qcone.passes.fixed_point import Declaration as Declared
 from qcone.passes.fixed_point import to_fixed
 from qcone.passes.fold import fold
-from qcone.passes.functions import choose_functions
+from qcone.passes.functions import choose_functions, choose_small_angle
 from qcone.passes.lower_float import lower_program
 from qcone.passes.naming import name_values
 from qcone.passes.share import share
@@ -46,7 +48,7 @@ from qcone.registry import algorithm_of, digest_of
 
 EXACT: tuple[Callable[[Routine], Routine], ...] = (fold, share, zeros, sweep, signs, sweep)
 RESERVED = ("state", "result")
-COUNTED = ("update", "hold", "start_up", "steady", "dcm", "euler")
+COUNTED = ("update", "hold", "start_up", "steady", "dcm", "euler", *stage_routines.ROUTINES)
 """The routines whose operations are reported: those that run with every update, and the outputs beyond a copy."""
 
 
@@ -77,12 +79,19 @@ def choose_exponential(design: Design, algorithm: Algorithm, number: Floating | 
         raise problem(design, "QC204", str(error)) from error
 
 
+def choose_writing(design: Design, algorithm: Algorithm, exponential: Exponential | None) -> Writing:
+    """Return how the shorthand is written out, with the polynomials of the design's number format."""
+    number, largest = number_of(design), declaration(design, algorithm).correction
+    small = choose_small_angle(number, largest) if largest else None
+    return writing_of(design, exponential.series if exponential else None, choose_functions(number), small)
+
+
 def write(design: Design, algorithm: Algorithm, exponential: Exponential | None) -> Program:
     """Return the program as its author wrote it, in the design's form.
 
     Raises UsageError when loops kept as loops do not say what they say written out, turn by turn.
     """
-    writing = writing_of(design, exponential.series if exponential else None, choose_functions(number_of(design)))
+    writing = choose_writing(design, algorithm, exponential)
     program = check_program(assemble(algorithm, design, writing), RealOp)
     if writing.rolled:
         written_out = assemble(algorithm, design, replace(writing, rolled=False))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from qcone import contract
+from qcone import contract, stage_routines
 from qcone.backends import page as pages
 from qcone.backends.c_fixed import furniture
 from qcone.backends.c_source import functions
@@ -88,8 +88,9 @@ def _driver(machine: Program, number: Floating | Fixed) -> pages.Driver:
         words += [f"{cast}state.{block.name}{'' if single else f'[{k}]'}" for k in range(block.size)]
     given = machine.routine("update").having(Role.INPUT)[0]
     setter = next(routine for routine in machine.routines if routine.name in SETTERS.values())
-    reports = [(each.name, each.having(Role.OUTPUT)) for each in machine.routines if each.having(Role.OUTPUT)]
-    outputs = tuple((name, blocks[0].size) for name, blocks in reports)
+    sizes = {each.name: sum(block.size for block in each.having(Role.OUTPUT)) for each in machine.routines}
+    outputs = tuple((name, size) for name, size in sizes.items() if size and name not in stage_routines.ROUTINES)
+    stage = tuple((name, size) for name, size in sizes.items() if name in stage_routines.ROUTINES)
     return pages.Driver(
         name=machine.name,
         ctype=number.ctype,
@@ -100,8 +101,9 @@ def _driver(machine: Program, number: Floating | Fixed) -> pages.Driver:
         setter=setter.name,
         attitude_size=setter.having(Role.INPUT)[0].size,
         outputs=outputs,
+        stage=stage,
         state_words=tuple(words),
-        word_count=len(words) + sum(size for _, size in outputs),
+        word_count=len(words) + sum(size for _, size in (*outputs, *stage)),
         probe=contraction_probe(f"{machine.name}_contracts") if isinstance(number, Floating) else "",
         fraction_bits=_bits(machine),
     )

@@ -30,8 +30,8 @@ GIVEN = {
     "rpy": Block("angles", Shape.VECTOR, Role.INPUT, unit="roll, pitch, yaw, rad"),
 }
 SETTERS = {"q": "set_quaternion", "c": "set_dcm", "rpy": "set_euler"}
-KEPT_ACROSS_SETTING = frozenset({"omega_last"})
-"""A rate sample stays the newest one when the attitude is set anew."""
+KEPT_ACROSS_SETTING = frozenset({"omega_last", "azimuth_harmonic", "tilt_x_harmonic", "tilt_y_harmonic"})
+"""A rate sample stays the newest one when the attitude is set anew; a unit's harmonics belong to the unit."""
 
 
 def initial(state: tuple[Block, ...], writing: Writing) -> Routine:

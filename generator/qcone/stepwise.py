@@ -15,7 +15,8 @@ from qcone.backends.bittrue import Model, State, new_state
 from qcone.backends.c_state import type_of
 from qcone.bundle import Bundle
 from qcone.ir.statement import Role
-from qcone.vectors import INIT, SET, Vectors
+from qcone.unit_words import handed, settings, stage_words, unit_rows
+from qcone.vectors import INIT, Vectors
 from qcone.words import TYPES
 
 
@@ -31,18 +32,20 @@ def model_steps(bundle: Bundle, vectors: Vectors, words: NDArray[Any]) -> NDArra
     attitude, before, inputs = (
         each.reshape(lanes * steps, -1) for each in (vectors.attitude, vectors.before, vectors.inputs)
     )
+    encoder, harmonics = unit_rows(vectors, slice(None))
     with np.errstate(all="ignore"):
-        for kind, name in ((INIT, "init"), (SET, bundle.driver.setter)):
+        for kind, name in settings(bundle):
             chosen = restart == kind
             if chosen.any():
                 part = {block: array[:, chosen] for block, array in state.items()}
-                model.run(name, part, {_argument(bundle, bundle.driver.setter): attitude[chosen].T})
+                model.run(name, part, handed(bundle, name, attitude[chosen], harmonics[chosen]))
                 if bundle.driver.has_start:
                     model.run("start", part, {"omega": before[chosen].T})
                 for block, array in part.items():
                     state[block][:, chosen] = array
         model.run("update", state, {_argument(bundle, "update"): np.ascontiguousarray(inputs.T)})
         reported = [each for name, _ in bundle.driver.outputs for each in model.run(name, state).values()]
+        reported += stage_words(model, bundle, state, encoder)
     found = np.concatenate([*state.values(), *reported], dtype=words.dtype, casting="unsafe")
     return np.ascontiguousarray(found.T).reshape(words.shape)
 

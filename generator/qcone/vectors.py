@@ -7,7 +7,7 @@ on every row (single step), most run on for long (chained).
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -23,25 +23,31 @@ from qcone.ir.statement import Block, Role
 from qcone.passes.magnitudes import Samples
 from qcone.words import to_increments, to_words
 
-GO_ON, INIT, SET = 0, 1, 2
+GO_ON, INIT, SET, CORRECT = 0, 1, 2, 3
 LANES = 256
 SINGLE_STEP_LANES = 8
 CHAINED_LANES = 32
 SUBNORMAL_ROWS = 8
 """Lanes that restart on every row; lanes that never do; rows of a chain that are subnormal throughout."""
+HARMONICS, CORRECTED = 9, 0.05
+"""Coefficients of a rotating unit; how often they are set anew."""
 
 
 @dataclass(frozen=True)
 class Vectors:
     """Rows by lane: arrays (lanes, steps, ...). `restart` says what precedes the update of a row.
 
-    `attitude` (4) is for a SET, `before` (3) the rate that `start` takes, `inputs` the argument of `update`.
+    `attitude` (4) is for a SET, `before` (3) the rate that `start` takes, `inputs` the argument of `update`. Of a
+    rotating unit `encoder` () is the angle after the update, `correction` (9) the harmonics for a CORRECT; where they
+    are None they are zero.
     """
 
     restart: NDArray[np.int32]
     attitude: NDArray[Any]
     before: NDArray[Any]
     inputs: NDArray[Any]
+    encoder: NDArray[Any] | None = None
+    correction: NDArray[Any] | None = None
 
     @property
     def rows(self) -> int:
@@ -50,7 +56,17 @@ class Vectors:
 
     def first(self, steps: int) -> Vectors:
         """Return the first rows of every lane."""
-        return Vectors(*(each[:, :steps] for each in (self.restart, self.attitude, self.before, self.inputs)))
+        cut = Vectors(*(each[:, :steps] for each in (self.restart, self.attitude, self.before, self.inputs)))
+        if self.encoder is None or self.correction is None:
+            return cut
+        return replace(cut, encoder=self.encoder[:, :steps], correction=self.correction[:, :steps])
+
+    @property
+    def unit(self) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Return the angles (lanes, steps) and the harmonics (lanes, steps, 9) of a rotating unit."""
+        shape, dtype = self.restart.shape, self.inputs.dtype
+        angles = np.zeros(shape, dtype) if self.encoder is None else self.encoder
+        return angles, np.zeros((*shape, HARMONICS), dtype) if self.correction is None else self.correction
 
 
 def draw(bundle: Bundle, rows: int, seed: int = 1) -> Vectors:
@@ -103,12 +119,30 @@ def _draw(
         inputs, before = _smooth(generator, (*shape, block.count), samples)
     inputs = inputs.reshape(*shape, block.size)
     attitudes = in_form(_attitudes(generator, shape), bundle.driver.setter)
-    return Vectors(
+    vectors = Vectors(
         restarts(),
         to_words(bundle, setting.name, attitudes),
         _inside(to_words(bundle, block.name, before), block),
         _beyond(bundle, _inside(to_words(bundle, block.name, inputs, bundle.driver.input_ctype), block), generator),
     )
+    return _with_unit(bundle, vectors, generator) if bundle.driver.stage else vectors
+
+
+def _with_unit(bundle: Bundle, vectors: Vectors, generator: np.random.Generator) -> Vectors:
+    """Return the vectors with angles and harmonics of a rotating unit, set anew now and then.
+
+    Of several lanes every one begins at `init`: harmonics outlast the setting of an attitude, and another lane's are
+    not its own.
+    """
+    restart, shape = vectors.restart, vectors.restart.shape
+    if shape[0] > 1:
+        restart[:, 0] = INIT
+    corrected = generator.random(shape) < CORRECTED
+    corrected[::2, 1:2] = True
+    restart[corrected & (restart == GO_ON)] = CORRECT
+    dtype, largest = dtype_of(bundle.facts.number), float(bundle.facts.known.correction or 0)
+    angles = _angles_of_encoder(generator, shape, dtype)
+    return replace(vectors, encoder=angles, correction=_harmonics(generator, shape, largest, dtype))
 
 
 def _beyond(bundle: Bundle, words: NDArray[Any], generator: np.random.Generator) -> NDArray[Any]:
@@ -217,6 +251,37 @@ def _angles(w: NDArray[Any], x: NDArray[Any], y: NDArray[Any], z: NDArray[Any], 
     up, down = np.hypot(w + b, z - a), np.hypot(w - b, z + a)
     pitch = (2 * np.arctan2(up, down) - np.pi / 2) * (1 if convention == "zyx" else -1)
     return np.stack([half_sum - half_difference, pitch, half_sum + half_difference], axis=-1)
+
+
+def _angles_of_encoder(generator: np.random.Generator, shape: tuple[int, int], dtype: Any) -> NDArray[Any]:
+    """Return angles of at most 3 pi in size: any, multiples of pi/4 and their neighbours, both zeros, tiny ones."""
+    whole = np.pi / 4 * generator.integers(-12, 13, shape)
+    angles = generator.uniform(-3 * np.pi, 3 * np.pi, shape).astype(dtype)
+    kind, info = generator.random(shape), np.finfo(dtype)
+    rounded = whole.astype(dtype)
+    for low, values in (
+        (0.5, rounded),
+        (0.65, np.nextafter(rounded, dtype(0))),
+        (0.75, np.nextafter(rounded, dtype(4 * np.pi)) * (np.abs(whole) < 3 * np.pi)),
+        (0.8, dtype(0.0) * np.sign(angles)),
+        (0.85, np.copysign(dtype(3 * np.pi), angles)),
+        (0.9, angles * dtype(2.0**-30)),
+        (0.95, np.copysign(dtype(info.tiny), angles)),
+        (0.98, np.copysign(info.smallest_subnormal, angles)),
+    ):
+        angles = np.where(kind >= low, values, angles)
+    return angles.astype(dtype)
+
+
+def _harmonics(generator: np.random.Generator, shape: tuple[int, int], largest: float, dtype: Any) -> NDArray[Any]:
+    """Return three harmonics (..., 9), of each sqrt(A^2 + B^2) + |C| up to the largest correction in rad, or zero."""
+    phase = generator.uniform(-np.pi, np.pi, (*shape, 3))
+    size = largest * np.where(generator.random((*shape, 3)) < 0.3, 1.0, generator.random((*shape, 3)))
+    offset = size * generator.choice([-1.0, 0.0, 1.0, 0.3], (*shape, 3))
+    waves = size - np.abs(offset)
+    found = np.stack([waves * np.sin(phase), waves * np.cos(phase), offset], axis=-1)
+    found[generator.random((*shape, 3)) < 0.1] = 0.0
+    return found.reshape(*shape, HARMONICS).astype(dtype)
 
 
 def _attitudes(generator: np.random.Generator, shape: tuple[int, int]) -> NDArray[Any]:

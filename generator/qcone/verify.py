@@ -26,7 +26,8 @@ from qcone.targets.build import CompileError, build_shared
 from qcone.targets.compiler import LEVELS, Compiler, absent, compilers, first_compiler
 from qcone.targets.host import Library
 from qcone.targets.sanitize import run_sanitized
-from qcone.vectors import INIT, SET, Vectors, draw
+from qcone.unit_words import handed, settings, stage_words, unit_rows
+from qcone.vectors import Vectors, draw
 from qcone.words import TYPES
 
 ACCEPT_ROWS = 2000
@@ -110,19 +111,20 @@ def _run_model(bundle: Bundle, program: Program, vectors: Vectors) -> NDArray[An
             restart_lanes(model, bundle, state, vectors, step)
             model.run("update", state, {given: np.ascontiguousarray(vectors.inputs[:, step].T)})
             reported = [each for name, _ in bundle.driver.outputs for each in model.run(name, state).values()]
+            reported += stage_words(model, bundle, state, unit_rows(vectors, step)[0])
             np.concatenate([*state.values(), *reported], out=words[step], casting="unsafe")
     return np.ascontiguousarray(words.transpose(2, 0, 1))
 
 
 def restart_lanes(model: Model, bundle: Bundle, state: State, vectors: Vectors, step: int) -> None:
     """Set anew the lanes that the vectors restart before a step."""
-    for kind, name in ((INIT, "init"), (SET, bundle.driver.setter)):
+    _, harmonics = unit_rows(vectors, step)
+    for kind, name in settings(bundle):
         chosen = vectors.restart[:, step] == kind
         if not chosen.any():
             continue
         part = {block: array[:, chosen] for block, array in state.items()}
-        given = bundle.machine.routine(bundle.driver.setter).having(Role.INPUT)[0].name
-        model.run(name, part, {given: vectors.attitude[chosen, step].T})
+        model.run(name, part, handed(bundle, name, vectors.attitude[chosen, step], harmonics[chosen]))
         if bundle.driver.has_start:
             model.run("start", part, {"omega": vectors.before[chosen, step].T})
         for block, array in part.items():
@@ -139,21 +141,32 @@ def c_words(bundle: Bundle, library: Library, vectors: Vectors) -> tuple[NDArray
 def run_arrays(bundle: Bundle, vectors: Vectors) -> dict[str, NDArray[Any]]:
     """Return what the batch loop takes after the number of rows, in order; it writes the last two."""
     return {
-        "restart": vectors.restart,
-        "attitude": vectors.attitude,
-        "before": vectors.before,
-        "input": vectors.inputs,
+        **given_arrays(bundle, vectors),
         "words": np.zeros((*vectors.restart.shape, bundle.driver.word_count), TYPES[bundle.driver.word_ctype]),
         "probed": np.zeros(1, np.int32),
     }
 
 
+def given_arrays(bundle: Bundle, vectors: Vectors) -> dict[str, NDArray[Any]]:
+    """Return what the batch loop reads, in order."""
+    given = {
+        "restart": vectors.restart,
+        "attitude": vectors.attitude,
+        "before": vectors.before,
+        "input": vectors.inputs,
+    }
+    if bundle.driver.stage:
+        given |= dict(zip(("encoder", "correction"), map(np.ascontiguousarray, vectors.unit), strict=True))
+    return given
+
+
 def declaration(bundle: Bundle) -> str:
     """Return the C declaration of the batch loop."""
-    driver = bundle.driver
+    driver, ctype = bundle.driver, bundle.driver.ctype
+    unit = f"const {ctype} *encoder, const {ctype} *correction, " if driver.stage else ""
     return (
-        f"void {bundle.name}_run(int32_t rows, const int32_t *restart, const {driver.ctype} *attitude, "
-        f"const {driver.ctype} *before, const {driver.input_ctype} *input, {driver.word_ctype} *words, "
+        f"void {bundle.name}_run(int32_t rows, const int32_t *restart, const {ctype} *attitude, "
+        f"const {ctype} *before, const {driver.input_ctype} *input, {unit}{driver.word_ctype} *words, "
         "int32_t *contracted);"
     )
 
@@ -180,13 +193,7 @@ def _sanitized(
 ) -> Iterator[Outcome]:
     data = b"".join(
         np.ascontiguousarray(each).tobytes()
-        for each in (
-            np.array([vectors.rows], np.int32),
-            vectors.restart,
-            vectors.attitude,
-            vectors.before,
-            vectors.inputs,
-        )
+        for each in (np.array([vectors.rows], np.int32), *given_arrays(bundle, vectors).values())
     )
     done = Outcome(bundle.name, named(compiler), SANITIZED_LEVEL, "host", vectors.rows)
     try:

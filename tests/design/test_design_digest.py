@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from fake_catalogue import CATALOGUE
 
-from qcone.design import Design, Imu, Number, design_from_options
+from qcone.design import Design, Imu, Number, Rins, design_from_options
 
 ONE = Fraction(1)
 DESIGN = design_from_options(
@@ -90,6 +90,7 @@ CHANGES: dict[str, Callable[[Design], Design]] = {
     "core": _top(core="cortex-m0"),
     "multiply": _top(multiply="wide"),
     "license": _top(license="MIT"),
+    "rins": _top(rins=Rins(Fraction(600))),
     "imu.update_hz": _imu(update_hz=Fraction(100)),
     "imu.max_rate_dps": _imu(max_rate_dps=Fraction(573) + Fraction(1, 10**30)),
     "imu.max_angular_acceleration_dps2": _imu(max_angular_acceleration_dps2=ONE),
@@ -115,6 +116,13 @@ def test_no_field_is_forgotten_here() -> None:
     names = {field.name for field in fields(Design)} - outside
     names |= {f"imu.{field.name}" for field in fields(Imu)} | {f"number.{field.name}" for field in fields(Number)}
     assert names == CHANGES.keys()
+
+
+def test_a_stage_that_is_not_asked_for_leaves_no_trace_and_one_that_is_enters_with_its_keys() -> None:
+    digests = [replace(DESIGN, rins=rins).digest for rins in (None, Rins(Fraction(600)), Rins(Fraction(601)))]
+    assert digests[0] == DESIGN.digest
+    assert len(set(digests)) == 3
+    assert [field.name for field in fields(Rins)] == ["max_correction_arcsec"]
 
 
 def test_the_folder_does_not_make_two_designs_different_but_the_file_does() -> None:

@@ -15,7 +15,7 @@ WHOLE = "a list of three rows of three numbers"
 MATRIX = "`calibration = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]` in [design.att.imu]"
 DESIGN_WORDS = (
     "algorithm, input, increments, axes, outputs, form, euler, loop, exponential, renormalise, core, multiply,"
-    " license, subsamples, coefficients, previous, imu, number, budget"
+    " license, subsamples, coefficients, previous, imu, number, rins, budget"
 )
 
 ONE_MISTAKE = [
@@ -67,6 +67,15 @@ ONE_MISTAKE = [
         end("[design.att.budget.host]\nstack = 3\n"),
         "11: error QC102: unknown key `budget.host.stack`, did you mean `budget.host.stack_bytes`?",
     ),
+    (
+        end("[design.att.rins]\nmax_corection_arcsec = 3\n"),
+        "11: error QC102: unknown key `rins.max_corection_arcsec`, did you mean `rins.max_correction_arcsec`?",
+    ),
+    (
+        top("max_correction_arcsec = 3"),
+        "3: error QC102: unknown key `max_correction_arcsec`, it belongs elsewhere: write `max_correction_arcsec = 600`"
+        " in [design.att.rins]",
+    ),
     # QC103: missing keys
     (
         GOOD.replace('algorithm = "rotation-vector"\n', ""),
@@ -101,6 +110,17 @@ ONE_MISTAKE = [
     (
         end('[design.b]\nalgorithm = "picard"\nnumber.format = "float32"\nimu = [1]\n'),
         "13: error QC104: `imu` must be a table, not [1], write a header [design.NAME.imu]",
+    ),
+    (top("rins = true"), "3: error QC104: `rins` must be a table, not true, write a header [design.NAME.rins]"),
+    (
+        end('[design.att.rins]\nmax_correction_arcsec = "much"\n'),
+        '11: error QC104: `rins.max_correction_arcsec` must be a number, not the string "much", write for example'
+        " `max_correction_arcsec = 600` in [design.att.rins]",
+    ),
+    (
+        end("[design.att.rins]\nmax_correction_arcsec = [600]\n"),
+        "11: error QC104: `rins.max_correction_arcsec` must be a number, not the list [600], write for example"
+        " `max_correction_arcsec = 600` in [design.att.rins]",
     ),
     (
         end("[design.att.budget]\nhost = 3\n"),

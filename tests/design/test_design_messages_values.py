@@ -94,6 +94,23 @@ ONE_MISTAKE = [
         top("outputs = []"),
         '3: error QC106: `outputs` is an empty list, write `outputs = ["quaternion"]` in [design.att]',
     ),
+    (
+        end("[design.att.rins]\nmax_correction_arcsec = 0\n"),
+        "11: error QC106: `rins.max_correction_arcsec = 0` is out of range, it must be greater than 0",
+    ),
+    (
+        end("[design.att.rins]\nmax_correction_arcsec = -600.5\n"),
+        "11: error QC106: `rins.max_correction_arcsec = -600.5` is out of range, it must be greater than 0",
+    ),
+    (
+        end("[design.att.rins]\nmax_correction_arcsec = nan\n"),
+        "11: error QC106: `rins.max_correction_arcsec = NaN` is out of range, no such magnitude is meant",
+    ),
+    (
+        end("[design.att.rins]\nmax_correction_arcsec = 36000.5\n"),
+        "11: error QC106: `rins.max_correction_arcsec = 36000.5` is out of range, more than 10 deg is a mounting, not"
+        " the error of an encoder or a bearing, give 36000 or less",
+    ),
     # QC107: keys that do not go together
     (
         end('rounding = "even"\n'),

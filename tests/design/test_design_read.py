@@ -13,7 +13,7 @@ from fake_catalogue import CATALOGUE, GOOD
 from hypothesis import given
 from hypothesis import strategies as st
 
-from qcone.design import DESIGN_KEYS, NUMBER_KEYS, Design, Imu, Number, read_designs
+from qcone.design import DESIGN_KEYS, NUMBER_KEYS, Design, Imu, Number, Rins, read_designs
 from qcone.errors import UsageError
 
 FULL = """\
@@ -32,6 +32,7 @@ renormalise = "separate"
 core = "cortex-m4f"
 multiply = "limbs-shared"
 license = "LicenseRef-Own-1.0"
+rins = { max_correction_arcsec = 90.5 }
 imu = { update_hz = 99.2, max_rate_dps = 1_000.5, quantum_dps = "2000/32768", max_jerk_dps3 = 1e6 }
 
 [design.att_counts.number]
@@ -121,8 +122,15 @@ def test_every_key_is_read(tmp_path: Path) -> None:
         number=Number("fixed16", "standard", "wrap", "even", True),
         budget={"multiply": 60, "square_root": 0},
         target_budgets={"cortex-m4f": {"text_bytes": 2048}, "powerpc": {"stack_bytes": 64}},
+        rins=Rins(Fraction(181, 2)),
     )
     assert design.directory == tmp_path
+
+
+def test_an_empty_table_asks_for_the_stage_with_its_default(tmp_path: Path) -> None:
+    assert _read(tmp_path, GOOD)[0].rins is None
+    assert _read(tmp_path, GOOD + "[design.att.rins]\n")[0].rins == Rins(Fraction(600))
+    assert _read(tmp_path, GOOD + "[design.att.rins]\nmax_correction_arcsec = 36000\n")[0].rins == Rins(Fraction(36000))
 
 
 def test_bias_and_calibration_are_exact_as_written(tmp_path: Path) -> None:

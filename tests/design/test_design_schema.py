@@ -102,6 +102,8 @@ GOOD_FILES = [
         "573", f"573\nquantum_dps = 0.061\ncalibration = [{', '.join(['[1, 0, 0.5]'] * 3)}]"
     ),
     GOOD.replace("float32", "fixed16") + 'overflow = "wrap"\nclamp_inputs = true\n',
+    GOOD + "[design.att.rins]\n",
+    GOOD + "[design.att.rins]\nmax_correction_arcsec = 120.5\n",
     GOOD + "[design.att.budget]\nmultiply = 0\n[design.att.budget.cortex-m4f]\ntext_bytes = 2048\n",
 ]
 
@@ -140,6 +142,8 @@ def test_the_schema_accepts_what_reading_accepts(tmp_path: Path, text: str) -> N
         GOOD.replace("573", "573\nbias_dps = [1, 2]"),
         GOOD.replace("573", "573\ncalibration = [[1, 0, 0], [0, 1, 0], [0, 0]]"),
         GOOD + "clamp_inputs = 1\n",
+        GOOD + "[design.att.rins]\nmax_correction_arcsec = 0\n",
+        GOOD + "[design.att.rins]\nmax_correction = 600\n",
         GOOD + "[design.att.budget]\nmultiply = -1\n",
         GOOD + "[design.att.budget]\nmultiply = 1.5\n",
         GOOD + "[design.att.budget.cortex-m9]\n",
@@ -167,7 +171,8 @@ def test_an_editor_is_told_what_each_key_means() -> None:
         "enum": [1, 2, 3, 4, 5, 6],
         "default": 1,
     }
-    tables = [properties, *(properties[name]["properties"] for name in ("imu", "number", "budget"))]
+    assert properties["rins"]["properties"]["max_correction_arcsec"]["default"] == 600
+    tables = [properties, *(properties[name]["properties"] for name in ("imu", "number", "rins", "budget"))]
     for table in tables:
         assert all(each.get("description") or each["type"] == "object" for each in table.values())
 

@@ -55,7 +55,11 @@ class Page:
 
 @dataclass(frozen=True)
 class Driver:
-    """The test-only batch loop: sizes of one row of inputs, state words and outputs, and what to call."""
+    """The test-only batch loop: sizes of one row of inputs, state words and outputs, and what to call.
+
+    `outputs` are the functions that report on the state alone, `stage` those of a rotating unit, each with the number
+    of values it gives.
+    """
 
     name: str
     ctype: str
@@ -66,6 +70,7 @@ class Driver:
     setter: str
     attitude_size: int
     outputs: tuple[tuple[str, int], ...]
+    stage: tuple[tuple[str, int], ...]
     state_words: tuple[str, ...]
     word_count: int
     probe: str
@@ -75,6 +80,11 @@ class Driver:
     def bits(self, block: str) -> int | None:
         """Return the fraction bits of a block; None for floats."""
         return dict(self.fraction_bits).get(block)
+
+    @property
+    def reported(self) -> tuple[tuple[str, int], ...]:
+        """Return every function that gives values after an update, in the order of a row's words."""
+        return (*self.outputs, *self.stage)
 
 
 def header(page: Page) -> str:

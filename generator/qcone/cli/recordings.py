@@ -1,4 +1,4 @@
-"""The command that runs emitted C on recordings."""
+"""Commands on what a unit recorded: run the C on it, fit what corrects it."""
 
 from __future__ import annotations
 
@@ -74,3 +74,16 @@ def replay(
     rows = session.run(shown(designs, "replaying"), recording, session.quaternion(initial), output, cc, compare, say)
     if len(designs) > 1 or layout != "table":
         print_rows("replay", rows, layout)
+
+
+@main.command("fit-rins")
+@click.argument("file", metavar="LOG.csv", type=click.Path(path_type=Path))
+@click.option("--columns", metavar="MAP", help="Names and unit: 't=Time;encoder=...;gyr_z=...;acc_x=...;unit=deg'.")
+@click.option("--average", type=float, metavar="SECONDS", help="Average the encoder over so long, bridged by the gyro.")
+@click.option("--instantaneous", is_flag=True, help="Rates are those of instants, not means over the step before.")
+@report
+def fit_rins(file: Path, columns: str | None, average: float | None, instantaneous: bool, layout: str) -> None:
+    """Fit the corrections of a rotating unit to the log of its encoder, gyro and accelerometers."""
+    from qcone.studies.encoder_fit import fitted_rows
+
+    print_rows("fit-rins", fitted_rows(file, columns, average, instantaneous, say), layout)

@@ -7,8 +7,8 @@ Importing this package loads neither pydantic nor anything else of qcone but its
 from __future__ import annotations
 
 from qcone.design.catalogue import AlgorithmEntry, Parameter, Value
-from qcone.design.design import Design, Imu, Number
-from qcone.design.keys import DESIGN_KEYS, IMU_KEYS, NUMBER_KEYS, TARGETS, Key
+from qcone.design.design import Design, Imu, Number, Rins
+from qcone.design.keys import DESIGN_KEYS, IMU_KEYS, NUMBER_KEYS, RINS_KEYS, TARGETS, Key
 from qcone.design.options import design_from_options
 from qcone.design.read import read_designs
 from qcone.design.schema import json_schema
@@ -17,6 +17,7 @@ __all__ = [
     "DESIGN_KEYS",
     "IMU_KEYS",
     "NUMBER_KEYS",
+    "RINS_KEYS",
     "TARGETS",
     "AlgorithmEntry",
     "Design",
@@ -24,6 +25,7 @@ __all__ = [
     "Key",
     "Number",
     "Parameter",
+    "Rins",
     "Value",
     "design_from_options",
     "json_schema",

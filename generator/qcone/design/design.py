@@ -43,12 +43,23 @@ class Number:
 
 
 @dataclass(frozen=True)
+class Rins:
+    """The stage of a rotating unit: encoder angle and tilt corrected, the body's attitude given.
+
+    `max_correction_arcsec` bounds sqrt(A^2 + B^2) + |C| of each harmonic the firmware is given.
+    """
+
+    max_correction_arcsec: Fraction
+
+
+@dataclass(frozen=True)
 class Design:
     """One design with every default filled in.
 
     `axes` holds, for each body axis, the index of the sensor axis (0..2) and its sign (+1 or -1).
     `file` is the design file's base name, empty from the command line, `line` that of its table; `directory` is its
-    folder, from which a user's own `my_paper.py:my_update` is found. Mappings are to be read, never written.
+    folder, from which a user's own `my_paper.py:my_update` is found. `rins` is None where that stage is not asked for.
+    Mappings are to be read, never written.
     """
 
     name: str
@@ -71,6 +82,7 @@ class Design:
     number: Number
     budget: Mapping[str, int] = field(hash=False)
     target_budgets: Mapping[str, Mapping[str, int]] = field(hash=False)
+    rins: Rins | None = None
     directory: Path | None = field(default=None, compare=False)
     line: int = field(default=0, compare=False)
 
@@ -78,18 +90,21 @@ class Design:
     def digest(self) -> str:
         """Return the SHA-256, in hex, of everything here that decides the output.
 
-        File, folder and budgets do not. A user's own algorithm enters by its name only, not by its text.
+        File, folder and budgets do not, nor does a stage that is not asked for. A user's own algorithm enters by its
+        name only, not by its text.
         """
         text = json.dumps(_plain(self), sort_keys=True, separators=(",", ":"), ensure_ascii=True)
         return hashlib.sha256(text.encode("ascii")).hexdigest()
 
 
 _UNDIGESTED = frozenset({"file", "directory", "line", "budget", "target_budgets"})
+_STAGES = frozenset({"rins"})
 
 
 def _plain(value: object) -> object:
-    if isinstance(value, Design | Imu | Number):
+    if isinstance(value, Design | Imu | Number | Rins):
         names = [each.name for each in fields(value) if each.name not in _UNDIGESTED]
+        names = [name for name in names if name not in _STAGES or getattr(value, name) is not None]
         return {name: _plain(getattr(value, name)) for name in names}
     if isinstance(value, Mapping):
         return {str(key): _plain(each) for key, each in value.items()}

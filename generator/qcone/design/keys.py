@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Literal
 
 from qcone.design.catalogue import Parameter
@@ -107,6 +108,17 @@ NUMBER_KEYS = (
     Key("clamp_inputs", "flag", "limit inputs to the declared range", "false", default=False),
 )
 
+RINS_KEYS = (
+    Key(
+        "max_correction_arcsec",
+        "decimal",
+        "largest correction of the encoder angle, and largest tilt, arcsec",
+        "600",
+        default=Fraction(600),
+    ),
+)
+"""The keys of the stage of a rotating unit; giving the table, empty or not, asks for the stage."""
+
 
 def _counts(told: str, *names: str) -> tuple[Key, ...]:
     return tuple(Key(name, "count", told, "60") for name in names)
@@ -154,5 +166,6 @@ def tables(parameters: tuple[Key, ...]) -> Mapping[tuple[str, ...], tuple[Key, .
     """Return the keys of every table of a design by the table's path, given its algorithm's keys."""
     own = {key.name for key in DESIGN_KEYS}
     design = (*DESIGN_KEYS, *(key for key in parameters if key.name not in own))
-    targets = {("budget", target): TARGET_BUDGET_KEYS for target in TARGETS}
-    return {(): design, ("imu",): IMU_KEYS, ("number",): NUMBER_KEYS, ("budget",): BUDGET_KEYS} | targets
+    found: dict[tuple[str, ...], tuple[Key, ...]] = {(): design, ("imu",): IMU_KEYS, ("number",): NUMBER_KEYS}
+    found |= {("rins",): RINS_KEYS, ("budget",): BUDGET_KEYS}
+    return found | {("budget", target): TARGET_BUDGET_KEYS for target in TARGETS}

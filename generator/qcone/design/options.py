@@ -9,7 +9,7 @@ from typing import Any
 
 from qcone.design.catalogue import AlgorithmEntry
 from qcone.design.design import Design
-from qcone.design.keys import DESIGN_KEYS, IMU_KEYS, NUMBER_KEYS, Key, Kind
+from qcone.design.keys import DESIGN_KEYS, IMU_KEYS, NUMBER_KEYS, RINS_KEYS, Key, Kind
 from qcone.design.numbers import is_decimal, toml_float
 from qcone.design.places import KeyPath, OptionPlaces, option_word, problems
 from qcone.design.resolve import resolve
@@ -53,6 +53,7 @@ def _key(name: str) -> tuple[KeyPath, Key | None]:
     tables: tuple[tuple[KeyPath, tuple[Key, ...]], ...] = (
         (("imu",), IMU_KEYS),
         (("number",), NUMBER_KEYS),
+        (("rins",), RINS_KEYS),
         ((), DESIGN_KEYS),
     )
     for table, keys in tables:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from qcone.design.catalogue import AlgorithmEntry, Value
-from qcone.design.design import Design, Imu, Number
+from qcone.design.design import Design, Imu, Number, Rins
 from qcone.design.keys import (
     BUDGET_KEYS,
     C_KEYWORDS,
@@ -16,6 +16,7 @@ from qcone.design.keys import (
     IMU_KEYS,
     NAME_PATTERN,
     NUMBER_KEYS,
+    RINS_KEYS,
     TARGETS,
     Key,
     is_user_algorithm,
@@ -106,6 +107,7 @@ def _design(
         number=Number(**_with_defaults(NUMBER_KEYS, given["number"])),
         budget={key.name: budget[key.name] for key in BUDGET_KEYS if key.name in budget},
         target_budgets={target: dict(budget[target]) for target in TARGETS if target in budget},
+        rins=Rins(**_with_defaults(RINS_KEYS, given["rins"])) if "rins" in given else None,
         directory=directory,
         **_with_defaults(DESIGN_KEYS, given),
     )

@@ -10,6 +10,7 @@ from qcone.design.keys import FIXED_FORMATS, Key
 from qcone.design.places import Finding, KeyPath, Places
 
 _HALF_TURN_DEG = 180
+_LARGEST_CORRECTION_ARCSEC = 36000
 _CONFLICT = "QC107"
 
 
@@ -23,6 +24,7 @@ def check_rules(given: dict[str, Any], refused: frozenset[KeyPath], places: Plac
     yield from _as_written(given, number, places)
     yield from _counts_only(given, imu, refused, places)
     yield from _half_turn(imu, places)
+    yield from _small_correction(given.get("rins", {}), places)
 
 
 def decorated(given: dict[str, Any], parameters: tuple[Key, ...], places: Places) -> Iterator[Finding]:
@@ -87,6 +89,14 @@ def _half_turn(imu: dict[str, Any], places: Places) -> Iterator[Finding]:
         what = f"{places.given(path, _decimal(rate))} turns {float(angle):.6g} deg in one update"
         why = "more than half a turn cannot be told from less"
         yield Finding(path, _CONFLICT, what, why, f"raise {places.word(('imu', 'update_hz'))} to {needed} or more")
+
+
+def _small_correction(rins: dict[str, Any], places: Places) -> Iterator[Finding]:
+    path, largest = ("rins", "max_correction_arcsec"), rins.get("max_correction_arcsec", 0)
+    if largest > _LARGEST_CORRECTION_ARCSEC:
+        what = f"{places.given(path, _decimal(largest))} is out of range"
+        why = "more than 10 deg is a mounting, not the error of an encoder or a bearing"
+        yield Finding(path, "QC106", what, why, f"give {_LARGEST_CORRECTION_ARCSEC} or less")
 
 
 def _decimal(value: Fraction) -> object:

@@ -7,6 +7,7 @@ reading a file: which parameters and values go with which algorithm, and rules b
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 from qcone.design.catalogue import AlgorithmEntry
@@ -85,5 +86,7 @@ def _property(key: Key, algorithms: Sequence[str]) -> dict[str, Any]:
         "text": {"anyOf": [{"enum": list(algorithms)}, {"type": "string", "pattern": USER_ALGORITHM_PATTERN}]},
     }
     default = "x,y,z" if key.kind == "axes" else key.default
+    if isinstance(default, Fraction):
+        default = default.numerator if default.denominator == 1 else float(default)
     told = {} if default is None else {"default": list(default) if isinstance(default, tuple) else default}
     return {"description": key.help, **kinds[key.kind], **told}

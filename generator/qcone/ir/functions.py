@@ -147,6 +147,17 @@ def sine_cosine(angle: Scalar) -> tuple[Scalar, Scalar]:
     return select(negative, -up, up), select(obtuse, -along, along)
 
 
+def sine_cosine_of_small(angle: Scalar) -> tuple[Scalar, Scalar]:
+    """Return (sin, cos) of an angle whose size the design declares to be small: a few terms of the series each."""
+    chosen = angle.builder.writing.small_angle
+    if chosen is None:
+        return _operation(RealOp.SINE, angle), _operation(RealOp.COSINE, angle)
+    square = angle * angle
+    sine = angle + angle * (square * horner(chosen.sine, square)) if chosen.sine else angle
+    cosine = 1 + square * horner(chosen.cosine, square) if chosen.cosine else number(1, angle)
+    return sine, cosine
+
+
 def square_root_of_unit(x: Scalar) -> Scalar:
     """Return sqrt(x) for 0 <= x <= 1."""
     if x.builder.writing.functions is None:

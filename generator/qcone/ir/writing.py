@@ -38,15 +38,28 @@ class Functions:
 
 
 @dataclass(frozen=True)
+class SmallAngle:
+    """The series of sine and cosine as far as angles of at most `largest` rad need them, by exact coefficients.
+
+    sin(t) = t + t^3 (sine[0] + sine[1] t^2 + ...) and cos(t) = 1 + t^2 (cosine[0] + ...); either may be empty.
+    """
+
+    largest: Fraction
+    sine: tuple[Fraction, ...]
+    cosine: tuple[Fraction, ...]
+
+
+@dataclass(frozen=True)
 class Writing:
     """The choices that change what is written down, all others being equal.
 
     `form` is "as-written" (square root, divisions, sine and cosine, plain product, as the paper counts) or
     "factored" (polynomials, an increment held apart from 1). `accumulate` is "standard", q (x) r, or
     "delta", q + q (x) (r - 1). `renormalise` folds e = (1 - |q|^2)/2 into the scalar part of r. `rolled`
-    keeps the author's loops. `series` is what exp() uses, `functions` what arctangents and roots use; None where
-    they are not chosen: in the real language. `fixed` writes for a fixed-point format, where sums are exact but for
-    one rounding and every range must be plain; `carry` carries the rounding of rotation vectors to the next update.
+    keeps the author's loops. `series` is what exp() uses, `functions` what arctangents and roots use, `small_angle`
+    what corrections of a bounded size use; None where they are not chosen: in the real language. `fixed` writes for a
+    fixed-point format, where sums are exact but for one rounding and every range must be plain; `carry` carries the
+    rounding of rotation vectors to the next update.
     """
 
     form: str = "factored"
@@ -55,6 +68,7 @@ class Writing:
     renormalise: bool = True
     rolled: bool = False
     functions: Functions | None = None
+    small_angle: SmallAngle | None = None
     fixed: bool = False
     carry: bool = False
 

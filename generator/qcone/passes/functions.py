@@ -1,4 +1,4 @@
-"""Choose the polynomials of arctangent and reciprocal square root for a number format, with proven errors."""
+"""Choose the polynomials of arctangent, sine, cosine and reciprocal root for a number format, with proven errors."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from math import factorial, isqrt
 
 from qcone.elimination import solve
 from qcone.formats.floating import Floating
-from qcone.ir.writing import Functions
+from qcone.ir.writing import Functions, SmallAngle
 from qcone.passes import polynomial
 
 EIGHTH = Fraction(41421356, 10**8)
@@ -33,6 +33,26 @@ def choose_functions(number: Floating) -> Functions:
     sine, cosine = _trigonometric(3, goal), _trigonometric(2, goal)
     smallest = Fraction(16, 2**number.precision)
     return Functions(_arctangent(goal), EIGHTH, _reciprocal_root(number), ladder, sine, cosine, smallest)
+
+
+@cache
+def choose_small_angle(number: Floating, largest: Fraction) -> SmallAngle:
+    """Return the shortest series of sine and cosine for |t| <= `largest` <= 1 rad.
+
+    The terms fall and alternate, so that what is left out is less than the first term left out: at most a quarter
+    of the last bit of 1.
+    """
+    goal = number.ulp(Fraction(1)) / 4
+    return SmallAngle(largest, _terms(3, largest, goal), _terms(2, largest, goal))
+
+
+def _terms(power: int, largest: Fraction, goal: Fraction) -> tuple[Fraction, ...]:
+    """Return the coefficients of t^power, t^(power + 2), ... of sine (power = 3) or cosine (power = 2)."""
+    terms: list[Fraction] = []
+    while largest**power / factorial(power) > goal:
+        terms.append(Fraction((-1) ** (len(terms) + 1), factorial(power)))
+        power += 2
+    return tuple(terms)
 
 
 def _arctangent(goal: Fraction) -> tuple[Fraction, ...]:

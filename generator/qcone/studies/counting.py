@@ -7,16 +7,16 @@ from dataclasses import asdict, replace
 
 from qcone.admission import number_of
 from qcone.algorithms.dense_taylor import dense_products
-from qcone.assembly import assemble, writing_of
+from qcone.assembly import assemble
 from qcone.backends.counts import Counts, count
 from qcone.design import Design, design_from_options
 from qcone.errors import UsageError
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, Program, walk
 from qcone.ir.writing import AS_WRITTEN
-from qcone.passes.functions import choose_functions
-from qcone.pipeline import build, choose_exponential, prepare
+from qcone.pipeline import build, choose_exponential, choose_writing, prepare
 from qcone.registry import algorithm_of, entries
+from qcone.stage_routines import BODY, CORRECT
 from qcone.studies.selection import Say, designs_of, from_options, refuse_options
 
 Row = dict[str, object]
@@ -45,6 +45,7 @@ TABLE_ROWS = (
     ("as-written", "as-written"),
     ("factored", "emitted"),
 )
+STAGE = (CORRECT, BODY)
 COMPARABLE: Mapping[str, Mapping[str, int]] = {
     "rotation-vector": {"subsamples": 3},
     "quaternion-taylor": {"subsamples": 3, "order": 10},
@@ -86,15 +87,15 @@ def rows_of_design(design: Design, forms: Sequence[str], against: str | None = N
     """Return the counts of one update plus the direction cosine matrix, at every level of every form.
 
     as-written counts products by powers of two among the products, as papers do; shared and emitted count
-    them apart. `against` adds the paper's own column, and ours by its convention; as-written then covers what the
-    paper's column does.
+    them apart. The stage of a rotating unit follows in rows of its own. `against` adds the paper's own column, and
+    ours by its convention; as-written then covers what the paper's column does.
     """
     rows: list[Row] = []
     if against:
         rows += _paper_rows(design, against)
     for form in forms:
         rows += _levels(design, form, bool(against))
-    return rows
+    return rows + _stage(design) if design.rins and not against else rows
 
 
 def paper_table(paper: str) -> list[Row]:
@@ -153,8 +154,7 @@ def _levels(design: Design, form: str, against: bool) -> list[Row]:
     algorithm, number = algorithm_of(design), number_of(design)
     writing = AS_WRITTEN
     if form != "as-written":
-        chosen = choose_exponential(design, algorithm, number)
-        writing = writing_of(design, chosen.series if chosen else None, choose_functions(number))
+        writing = choose_writing(design, algorithm, choose_exponential(design, algorithm, number))
     written = assemble(algorithm, design, writing)
     ready = prepare(written, design)
     counted = _written(written).as_papers_count()
@@ -167,6 +167,19 @@ def _levels(design: Design, form: str, against: bool) -> list[Row]:
     if form == design.form and not _needs_libm(ready):
         machine = build(design).machine
         rows.append(_row(design.name, design.algorithm, form, "emitted", _written(machine)))
+    return rows
+
+
+def _stage(design: Design) -> list[Row]:
+    """Return the counts of a rotating unit's stage: the angle corrected and the body's quaternion given, once."""
+    written = assemble(algorithm_of(design), design, AS_WRITTEN)
+    paper = sum((count(written.routine(name)) for name in STAGE), Counts())
+    known = build(design).facts.counts
+    rows = [_row(design.name, "rins", "as-written", "as-written", paper.as_papers_count(), True)]
+    for level in ("shared", "emitted"):
+        total = sum((known[name][level] for name in STAGE), Counts())
+        row = _row(design.name, "rins", design.form, level, total)
+        rows.append({**row, "compare": total.compare, "select": total.select})
     return rows
 
 

@@ -1,8 +1,9 @@
 """What a rotating unit gains by correcting its encoder angle and tilt, for encoders read out in different ways.
 
 rins figures 15 and 18: peak-to-peak azimuth, pitch and roll error over 4200 s, before and after. Each row fits the
-simulated recording itself; nothing is taken from the truth but the errors it is judged by. The sensors' own
-attitude C_s^n is taken as exact, as the paper has it: only its transfer to the body is studied.
+simulated recording itself, on the host; the body's attitude is that of the generated, compiled C. Nothing is taken
+from the truth but the errors it is judged by. The sensors' own attitude C_s^n is taken as exact, as the paper has it:
+only its transfer to the body is studied.
 """
 
 from __future__ import annotations
@@ -13,21 +14,24 @@ from qcone.errors import UsageError
 from qcone.reference.euler import to_angles
 from qcone.reference.quaternion import Array
 from qcone.reference.rotating_unit import PERIOD, Readout, Record, simulate
-from qcone.studies.encoder_correction import averaged, correct, fit_encoder, fit_tilt
+from qcone.studies.encoder_correction import averaged, fit_encoder, fit_tilt
 from qcone.studies.encoder_log import EncoderLog
+from qcone.studies.unit_firmware import firmware_attitude
 
 Row = dict[str, object]
 
 ARCSEC = float(np.deg2rad(1 / 3600))
 WINDOW = 10.0  # s
 FASTEST_HZ = 100.0  # 420,001 rows
-READOUTS: tuple[tuple[str, Readout, str], ...] = (
-    ("ideal", "ideal", "no pulses"),
-    ("raw", "raw", "20000 pulses a turn, 64.8 arcsec each"),
-    ("x4", "x4", "80000 steps a turn, 16.2 arcsec each"),
-    ("averaged", "averaged", "20000 pulses a turn, mean of the last 10 s"),
-    ("averaged-centred", "raw", "20000 pulses a turn, mean of the 10 s around, bridged by the gyro"),
+READOUTS: tuple[tuple[str, Readout, str, str], ...] = (
+    ("ideal", "ideal", "no pulses", "float64"),
+    ("raw", "raw", "20000 pulses a turn, 64.8 arcsec each", "float64"),
+    ("x4", "x4", "80000 steps a turn, 16.2 arcsec each", "float64"),
+    ("averaged", "averaged", "20000 pulses a turn, mean of the last 10 s", "float64"),
+    ("averaged, C in float32", "averaged", "20000 pulses a turn, mean of the last 10 s", "float32"),
+    ("averaged-centred", "raw", "20000 pulses a turn, mean of the 10 s around, bridged by the gyro", "float64"),
 )
+"""Name, read-out of the encoder, what it means, number format of the C that corrects."""
 AZIMUTH = (150.0, 30.0)  # arcsec peak to peak: at least before, under after
 PITCH_ROLL = ((27.0, 30.0), 5.0)  # arcsec peak to peak: from, to before, under after
 
@@ -57,7 +61,8 @@ def correction_rows(seed: int = 0, rate_hz: float = 10.0) -> list[Row]:
 
     Keys: id (R15 azimuth, R16 pitch and roll), claim, paper, read_out, quantity, unit, before, paper_value, measured
     (peak to peak after), tolerance, verdict, reason. `seed` moves the noise, `rate_hz` the sampling.
-    Raises UsageError for a `rate_hz` that is out of range or puts no sample on the reversals.
+    Raises UsageError for a `rate_hz` that is out of range or puts no sample on the reversals, MissingToolError without
+    a compiler.
     """
     if not 0 < rate_hz <= FASTEST_HZ or (rate_hz * PERIOD / 2) % 1:
         raise UsageError(
@@ -65,13 +70,14 @@ def correction_rows(seed: int = 0, rate_hz: float = 10.0) -> list[Row]:
             f"{FASTEST_HZ:g} Hz, give 10 or another whole number"
         )
     rows: list[Row] = []
-    for name, readout, meaning in READOUTS:
+    for name, readout, meaning, number in READOUTS:
         record = simulate(readout, seed=seed, rate_hz=rate_hz)
         log = log_of(record)
         log = averaged(log, WINDOW) if name == "averaged-centred" else log
         encoder = fit_encoder(log)
-        before = peak_to_peak(correct(log), record.body_attitude)
-        after = peak_to_peak(correct(log, encoder, fit_tilt(log, encoder)), record.body_attitude)
+        corrected = firmware_attitude(log, encoder, fit_tilt(log, encoder), number)
+        before = peak_to_peak(firmware_attitude(log, number=number), record.body_attitude)
+        after = peak_to_peak(corrected, record.body_attitude)
         rows.append(_azimuth_row(name, meaning, before[2], after[2]))
         rows.append(_tilt_row(name, meaning, "pitch", before[1], after[1]))
         rows.append(_tilt_row(name, meaning, "roll", before[0], after[0]))

@@ -67,6 +67,8 @@ def replay(
     if held := bundle.facts.algorithm.held:
         missing = "" if len(updates.values) > held else ", more than the recording makes: it has no attitude of its own"
         notes.append(f"the starter holds the attitude for the first {held} updates{missing}")
+    if bundle.driver.stage:
+        notes.append("the attitude is that of the turning sensors: a recording has no encoder angle")
     largest = float(np.sqrt((recording.as_increments().values ** 2).sum(axis=1).max()))
     declared = float(bundle.facts.known.rate if recording.kind == "rate" else bundle.facts.known.increment)
     if largest > declared * (1 + 1e-9):
@@ -96,7 +98,7 @@ def vectors_of(bundle: Bundle, recording: Recording, initial: Sequence[float]) -
 def outputs_of(bundle: Bundle, words: NDArray[Any]) -> dict[str, NDArray[np.float64]]:
     """Return the outputs (lanes, steps, k) by name, of the words (lanes, steps, words) a run wrote."""
     found, first = {}, len(bundle.driver.state_words)
-    for name, size in bundle.driver.outputs:
+    for name, size in bundle.driver.reported:
         block = bundle.machine.routine(name).having(Role.OUTPUT)[0]
         found[name] = from_words(bundle, block.name, words[..., first : first + size])
         first += size

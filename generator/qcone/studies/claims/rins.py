@@ -1,4 +1,4 @@
-"""R15, R16 and D13: the rotating unit of rins before and after its corrections."""
+"""R15, R16 and D13: the rotating unit of rins before and after its corrections, through the generated C."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from qcone.studies.encoder_readouts import FASTEST_HZ, Row, correction_rows
 
 PAPER = "rins"
 HALF_PERIOD = 525  # s between reversals, which have to fall on samples
-FINE, COARSE = ("ideal", "averaged", "averaged-centred"), ("raw", "x4")
+COARSE = ("raw", "x4")
+"""Encoders read out no finer than a pulse, or a quarter of one."""
 
 
 def rate_of(settings: Settings) -> float:
@@ -23,7 +24,7 @@ def corrections(settings: Settings) -> Iterator[Claim]:
     """R15, R16: azimuth of encoders read finely; pitch and roll of every encoder. D13: azimuth of the raw encoder."""
     for row in _rows(settings):
         azimuth = row["id"] == "R15"
-        if not azimuth or row["read_out"] in FINE:
+        if not azimuth or row["read_out"] not in COARSE:
             yield _claim(str(row["id"]), row)
     for row in _rows(settings):
         if row["id"] == "R15" and row["read_out"] in COARSE:

@@ -13,8 +13,9 @@ from qcone.reference.rotating_unit import simulate
 from qcone.studies.claims.claim import Settings
 from qcone.studies.claims.rins import rate_of
 from qcone.studies.curves.figure import Curve, Figure, Level, Panel
-from qcone.studies.encoder_correction import averaged, correct, encoder_difference, fit_encoder, fit_tilt
+from qcone.studies.encoder_correction import averaged, encoder_difference, fit_encoder, fit_tilt
 from qcone.studies.encoder_readouts import ARCSEC, WINDOW, log_of
+from qcone.studies.unit_firmware import firmware_attitude
 
 POINTS = 840
 UNIT = "simulated unit, 20000 pulses a turn averaged over 10 s"
@@ -49,7 +50,7 @@ def _unit(settings: Settings) -> Unit:
     raw_tilt = np.stack([(force[:, 1] - mean_y) / gravity, -(force[:, 0] - mean_x) / gravity], axis=-1)
     every = slice(None, None, max(len(record.time) // POINTS, 1))
     errors = []
-    for q in (correct(log), correct(log, encoder, tilt)):
+    for q in (firmware_attitude(log), firmware_attitude(log, encoder, tilt)):
         error = to_angles(q, "zxy") - to_angles(record.body_attitude, "zxy")
         wrapped = np.mod(error + np.pi, 2 * np.pi) - np.pi
         errors.append((wrapped - wrapped.mean(axis=0))[every])

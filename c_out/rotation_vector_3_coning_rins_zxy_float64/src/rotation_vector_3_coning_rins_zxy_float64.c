@@ -1,0 +1,1203 @@
+/* Generated, do not edit. Made by: qcone generate rins.toml --design rotation_vector_3_coning_rins_zxy_float64
+ *
+ * qcone 0.1.0, design rotation_vector_3_coning_rins_zxy_float64, SHA-256 of the design
+ * 3c1f31ccbce384fdd049a2067a908282b689d7772136cbd246153e64f512acae
+ *
+ * algorithm:   rotation-vector-3-coning, form factored, q' = q + q (x) (r - 1), renormalised on
+ *              every update
+ * source:      cao (12), cao (14)
+ * stage:       encoder angle and tilt of a rotating unit corrected, rins (10) to (16); the
+ *              attitude kept is the sensors'
+ * equation:    phi = theta_1 + theta_2 + theta_3 + 9/20 theta_1 x theta_3 + 27/40 theta_2 x
+ *              (theta_3 - theta_1)
+ * number:      float64, every operation rounded once
+ * flags:       -std=c99 -ffp-contract=off; with gcc, where the target has vector FMA, also
+ *              -fno-tree-vectorize
+ *
+ * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.033336 rad; |phi|
+ *              <= 0.1021 rad; beyond it nothing is bounded: accuracy is lost and, far beyond it,
+ *              the state can diverge to NaN for good, so clamp inputs that can be so large;
+ *              setting the attitude anew brings it back
+ * unit:        encoder angle at most 3 pi in size; sqrt(A^2 + B^2) + |C| of each harmonic at most
+ *              0.0029089 rad (600 arcsec)
+ * truncation:  minimax polynomials of degree 4 (cos) and 3 (sin) in |phi|^2; error of r at most
+ *              4.4e-22 (scalar), 4.1e-20 (vector), proved over the rationals
+ * rounding:    not bounded
+ *
+ * operations                 multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * update as-written                43       0   37        13       0       0     0     0     0       0
+ * update shared                    42       1   37        13       0       0     0     0     0       0
+ * update emitted                   42       1   37        13       0       0     0     0     0       0
+ * dcm as-written                    9       0    9         6       0       0     0     0     0       0
+ * dcm shared                        9       0    9         6       0       0     0     0     0       0
+ * dcm emitted                       9       0    9         6       0       0     0     0     0       0
+ * euler as-written                 76       0   54        17      10       4     0     0    26      52
+ * euler shared                     59      16   54        17       9       4     0     0    26      52
+ * euler emitted                    59      16   54        17       9       4     0     0    26      52
+ * correct as-written               32       0   25         6       3       0     0     0     5       9
+ * correct shared                   32       0   25         6       3       0     0     0     5       9
+ * correct emitted                  32       0   25         6       3       0     0     0     5       9
+ * body_quaternion as-written       57       0   35         5      11       0     0     0     5       9
+ * body_quaternion shared           54       3   29        11       3       0     0     0     5       9
+ * body_quaternion emitted          54       3   29        11       3       0     0     0     5       9
+ * body_dcm as-written               9       0    9         6       0       0     0     0     0       0
+ * body_dcm shared                   9       0    9         6       0       0     0     0     0       0
+ * body_dcm emitted                  9       0    9         6       0       0     0     0     0       0
+ * body_euler as-written            76       0   54        17      10       4     0     0    26      52
+ * body_euler shared                59      16   54        17       9       4     0     0    26      52
+ * body_euler emitted               59      16   54        17       9       4     0     0    26      52
+ *
+ * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
+ * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload
+ * and sign of a NaN are unspecified.
+ *
+ * SPDX-License-Identifier: MIT-0
+ * The maker of the generator claims no rights in this file.
+ */
+#include "rotation_vector_3_coning_rins_zxy_float64.h"
+
+#if ROTATION_VECTOR_3_CONING_RINS_ZXY_FLOAT64_VERSION != 1
+#error "rotation_vector_3_coning_rins_zxy_float64.h is of another version than this file: generate both again"
+#endif
+
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+
+void rotation_vector_3_coning_rins_zxy_float64_init(rotation_vector_3_coning_rins_zxy_float64_state *state)
+{
+    state->q[0] = 1.0;
+    state->q[1] = 0.0;
+    state->q[2] = 0.0;
+    state->q[3] = 0.0;
+    state->azimuth_harmonic[0] = 0.0;
+    state->azimuth_harmonic[1] = 0.0;
+    state->azimuth_harmonic[2] = 0.0;
+    state->tilt_x_harmonic[0] = 0.0;
+    state->tilt_x_harmonic[1] = 0.0;
+    state->tilt_x_harmonic[2] = 0.0;
+    state->tilt_y_harmonic[0] = 0.0;
+    state->tilt_y_harmonic[1] = 0.0;
+    state->tilt_y_harmonic[2] = 0.0;
+}
+
+void rotation_vector_3_coning_rins_zxy_float64_set_quaternion(
+    rotation_vector_3_coning_rins_zxy_float64_state *state, const double q_nb[4])
+{
+    /* q_nb, read once */
+    const double q_nb_w = q_nb[0];
+    const double q_nb_x = q_nb[1];
+    const double q_nb_y = q_nb[2];
+    const double q_nb_z = q_nb[3];
+
+    /* q_square = |q|^2 */
+    const double q_square_1 = q_nb_w * q_nb_w;
+    const double q_square_2 = q_nb_x * q_nb_x;
+    const double q_square_3 = q_nb_y * q_nb_y;
+    const double q_square_4 = q_nb_z * q_nb_z;
+    const double q_square_5 = q_square_1 + q_square_2;
+    const double q_square_6 = q_square_5 + q_square_3;
+    const double q_square = q_square_6 + q_square_4;
+
+    /* e = (1 - |q|^2)/2 */
+    const double e_1 = 1.0 - q_square;
+    const double e = 0.5 * e_1;
+
+    /* q_next = q + e q */
+    const double q_next_w_1 = e * q_nb_w;
+    const double q_next_x_1 = e * q_nb_x;
+    const double q_next_y_1 = e * q_nb_y;
+    const double q_next_z_1 = e * q_nb_z;
+    const double q_next_w = q_nb_w + q_next_w_1;
+    const double q_next_x = q_nb_x + q_next_x_1;
+    const double q_next_y = q_nb_y + q_next_y_1;
+    const double q_next_z = q_nb_z + q_next_z_1;
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+}
+
+void rotation_vector_3_coning_rins_zxy_float64_update(
+    rotation_vector_3_coning_rins_zxy_float64_state *state, const double dtheta[9])
+{
+    /* attitude and input */
+    const double q_w = state->q[0];
+    const double q_x = state->q[1];
+    const double q_y = state->q[2];
+    const double q_z = state->q[3];
+    const double dtheta1_x = dtheta[0];
+    const double dtheta1_y = dtheta[1];
+    const double dtheta1_z = dtheta[2];
+    const double dtheta2_x = dtheta[3];
+    const double dtheta2_y = dtheta[4];
+    const double dtheta2_z = dtheta[5];
+    const double dtheta3_x = dtheta[6];
+    const double dtheta3_y = dtheta[7];
+    const double dtheta3_z = dtheta[8];
+
+    /* p = theta_1 + theta_3 */
+    const double p_x = dtheta1_x + dtheta3_x;
+    const double p_y = dtheta1_y + dtheta3_y;
+    const double p_z = dtheta1_z + dtheta3_z;
+
+    /* d = theta_3 - theta_1 */
+    const double d_x = dtheta3_x - dtheta1_x;
+    const double d_y = dtheta3_y - dtheta1_y;
+    const double d_z = dtheta3_z - dtheta1_z;
+
+    /* S = p + theta_2 */
+    const double S_x = p_x + dtheta2_x;
+    const double S_y = p_y + dtheta2_y;
+    const double S_z = p_z + dtheta2_z;
+
+    /* g = S + 2 theta_2   [cao (12)] */
+    const double g_x_1 = S_x + dtheta2_x;
+    const double g_y_1 = S_y + dtheta2_y;
+    const double g_z_1 = S_z + dtheta2_z;
+    const double g_x = g_x_1 + dtheta2_x;
+    const double g_y = g_y_1 + dtheta2_y;
+    const double g_z = g_z_1 + dtheta2_z;
+
+    /* k = 9/40 d   [cao (12)] */
+    const double k_x = 0.225 /* 9/40 */ * d_x;
+    const double k_y = 0.225 /* 9/40 */ * d_y;
+    const double k_z = 0.225 /* 9/40 */ * d_z;
+
+    /* coning = g x k   [cao (12)] */
+    const double coning_x_1 = g_y * k_z;
+    const double coning_x_2 = g_z * k_y;
+    const double coning_x = coning_x_1 - coning_x_2;
+    const double coning_y_1 = g_z * k_x;
+    const double coning_y_2 = g_x * k_z;
+    const double coning_y = coning_y_1 - coning_y_2;
+    const double coning_z_1 = g_x * k_y;
+    const double coning_z_2 = g_y * k_x;
+    const double coning_z = coning_z_1 - coning_z_2;
+
+    /* phi = S + coning   [cao (12)] */
+    const double phi_x = S_x + coning_x;
+    const double phi_y = S_y + coning_y;
+    const double phi_z = S_z + coning_z;
+
+    /* phi_square = |phi|^2 */
+    const double phi_square_1 = phi_x * phi_x;
+    const double phi_square_2 = phi_y * phi_y;
+    const double phi_square_3 = phi_z * phi_z;
+    const double phi_square_4 = phi_square_1 + phi_square_2;
+    const double phi_square = phi_square_4 + phi_square_3;
+
+    /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
+    const double u_1 = phi_square * 9.687437727939356e-08 /* 1/10322647 */;
+    const double u_2 = -2.1701388828826363e-05 /* -7841/361313281 */ + u_1;
+    const double u_3 = phi_square * u_2;
+    const double u_4 = 0.002604166666666458 /* 32503931622/12481509742849 */ + u_3;
+    const double u_5 = phi_square * u_4;
+    const double u_6 = -0.125 /* -64545995202851653/516367961622813225 */ + u_5;
+    const double u = phi_square * u_6;
+
+    /* s = sin(|phi|/2)/|phi|, polynomial in |phi|^2   [cao (9)] */
+    const double s_1 = phi_square * -1.5499842233748693e-06 /* -7/4516175 */;
+    const double s_2 = 0.00026041666590186107 /* 88672/340500481 */ + s_1;
+    const double s_3 = phi_square * s_2;
+    const double s_4 = -0.0208333333333318 /* -282645818610/13566999293281 */ + s_3;
+    const double s_5 = phi_square * s_4;
+    const double s = 0.5 + s_5;
+
+    /* v = s phi   [cao (14)] */
+    const double v_x = s * phi_x;
+    const double v_y = s * phi_y;
+    const double v_z = s * phi_z;
+
+    /* q_square = |q|^2 */
+    const double q_square_1 = q_w * q_w;
+    const double q_square_2 = q_x * q_x;
+    const double q_square_3 = q_y * q_y;
+    const double q_square_4 = q_z * q_z;
+    const double q_square_5 = q_square_1 + q_square_2;
+    const double q_square_6 = q_square_5 + q_square_3;
+    const double q_square = q_square_6 + q_square_4;
+
+    /* e = (1 - |q|^2)/2   [renormalisation, folded into the scalar part] */
+    const double e_1 = 1.0 - q_square;
+    const double e = 0.5 * e_1;
+
+    /* a = u + e */
+    const double a = u + e;
+
+    /* dq = q (x) [a, v]   [cao (14)] */
+    const double dq_w_1 = q_w * a;
+    const double dq_w_2 = q_x * v_x;
+    const double dq_w_3 = dq_w_1 - dq_w_2;
+    const double dq_w_4 = q_y * v_y;
+    const double dq_w_5 = dq_w_3 - dq_w_4;
+    const double dq_w_6 = q_z * v_z;
+    const double dq_w = dq_w_5 - dq_w_6;
+    const double dq_x_1 = q_w * v_x;
+    const double dq_x_2 = q_x * a;
+    const double dq_x_3 = dq_x_1 + dq_x_2;
+    const double dq_x_4 = q_y * v_z;
+    const double dq_x_5 = dq_x_3 + dq_x_4;
+    const double dq_x_6 = q_z * v_y;
+    const double dq_x = dq_x_5 - dq_x_6;
+    const double dq_y_1 = q_w * v_y;
+    const double dq_y_2 = q_y * a;
+    const double dq_y_3 = dq_y_1 + dq_y_2;
+    const double dq_y_4 = q_z * v_x;
+    const double dq_y_5 = dq_y_3 + dq_y_4;
+    const double dq_y_6 = q_x * v_z;
+    const double dq_y = dq_y_5 - dq_y_6;
+    const double dq_z_1 = q_w * v_z;
+    const double dq_z_2 = q_z * a;
+    const double dq_z_3 = dq_z_1 + dq_z_2;
+    const double dq_z_4 = q_x * v_y;
+    const double dq_z_5 = dq_z_3 + dq_z_4;
+    const double dq_z_6 = q_y * v_x;
+    const double dq_z = dq_z_5 - dq_z_6;
+
+    /* q_next = q + dq */
+    const double q_next_w = q_w + dq_w;
+    const double q_next_x = q_x + dq_x;
+    const double q_next_y = q_y + dq_y;
+    const double q_next_z = q_z + dq_z;
+
+    /* store */
+    state->q[0] = q_next_w;
+    state->q[1] = q_next_x;
+    state->q[2] = q_next_y;
+    state->q[3] = q_next_z;
+}
+
+void rotation_vector_3_coning_rins_zxy_float64_quaternion(
+    const rotation_vector_3_coning_rins_zxy_float64_state *state, double q_nb[4])
+{
+    /* q, read once */
+    const double q_w = state->q[0];
+    const double q_x = state->q[1];
+    const double q_y = state->q[2];
+    const double q_z = state->q[3];
+
+    q_nb[0] = q_w;
+    q_nb[1] = q_x;
+    q_nb[2] = q_y;
+    q_nb[3] = q_z;
+}
+
+void rotation_vector_3_coning_rins_zxy_float64_dcm(
+    const rotation_vector_3_coning_rins_zxy_float64_state *state, double c_nb[9])
+{
+    /* q, read once */
+    const double q_w = state->q[0];
+    const double q_x = state->q[1];
+    const double q_y = state->q[2];
+    const double q_z = state->q[3];
+
+    /* zz = 2 q_z q_z; wx, wy, ... likewise   [cao (15)] */
+    const double x2 = q_x + q_x;
+    const double y2 = q_y + q_y;
+    const double z2 = q_z + q_z;
+    const double wx = q_w * x2;
+    const double wy = q_w * y2;
+    const double wz = q_w * z2;
+    const double xx = q_x * x2;
+    const double xy = q_x * y2;
+    const double xz = q_x * z2;
+    const double yy = q_y * y2;
+    const double yz = q_y * z2;
+    const double zz = q_z * z2;
+
+    /* c_nb = C_nb(q)   [cao (15)] */
+    const double c_nb_11_1 = yy + zz;
+    const double c_nb_11 = 1.0 - c_nb_11_1;
+    const double c_nb_12 = xy - wz;
+    const double c_nb_13 = xz + wy;
+    const double c_nb_21 = xy + wz;
+    const double c_nb_22_1 = xx + zz;
+    const double c_nb_22 = 1.0 - c_nb_22_1;
+    const double c_nb_23 = yz - wx;
+    const double c_nb_31 = xz - wy;
+    const double c_nb_32 = yz + wx;
+    const double c_nb_33_1 = xx + yy;
+    const double c_nb_33 = 1.0 - c_nb_33_1;
+
+    c_nb[0] = c_nb_11;
+    c_nb[1] = c_nb_12;
+    c_nb[2] = c_nb_13;
+    c_nb[3] = c_nb_21;
+    c_nb[4] = c_nb_22;
+    c_nb[5] = c_nb_23;
+    c_nb[6] = c_nb_31;
+    c_nb[7] = c_nb_32;
+    c_nb[8] = c_nb_33;
+}
+
+void rotation_vector_3_coning_rins_zxy_float64_euler(
+    const rotation_vector_3_coning_rins_zxy_float64_state *state, double rpy[3])
+{
+    /* q, read once */
+    const double q_w = state->q[0];
+    const double q_x = state->q[1];
+    const double q_y = state->q[2];
+    const double q_z = state->q[3];
+
+    /* half_sum = (yaw + roll)/2   [zxy] */
+    const double half_sum_1 = q_z + q_y;
+    const double half_sum_2 = q_w + q_x;
+    const double half_difference_1 = q_z - q_y;
+    const double half_difference_2 = q_w - q_x;
+    const int32_t half_sum_3 = half_sum_1 < 0.0;
+    const double half_sum_4 = -half_sum_1;
+    const double half_sum_5 = (half_sum_3 != 0) ? half_sum_4 : half_sum_1;
+    const int32_t half_sum_6 = half_sum_2 < 0.0;
+    const double half_sum_7 = -half_sum_2;
+    const double half_sum_8 = (half_sum_6 != 0) ? half_sum_7 : half_sum_2;
+    const int32_t half_sum_9 = half_sum_8 < half_sum_5;
+    const double half_sum_10 = (half_sum_9 != 0) ? half_sum_8 : half_sum_5;
+    const double half_sum_11 = (half_sum_9 != 0) ? half_sum_5 : half_sum_8;
+    const double half_sum_12 = 0.41421356 /* 10355339/25000000 */ * half_sum_11;
+    const int32_t half_sum_13 = half_sum_12 < half_sum_10;
+    const double half_sum_14 = half_sum_10 - half_sum_11;
+    const double half_sum_15 = (half_sum_13 != 0) ? half_sum_14 : half_sum_10;
+    const double half_sum_16 = half_sum_10 + half_sum_11;
+    const double half_sum_17 = (half_sum_13 != 0) ? half_sum_16 : half_sum_11;
+    const int32_t half_sum_18 = 0.0 < half_sum_11;
+    const double half_sum_19 = (half_sum_18 != 0) ? half_sum_17 : 1.0;
+    const double half_sum_20 = half_sum_15 / half_sum_19;
+    const double half_sum_21 = half_sum_20 * half_sum_20;
+    const double half_sum_22 = half_sum_21 * 0.020659271935216498 /* 9646/466909 */;
+    const double half_sum_23 = -0.04305880762135514 /* -31207/724753 */ + half_sum_22;
+    const double half_sum_24 = half_sum_21 * half_sum_23;
+    const double half_sum_25 = 0.05672404505505705 /* 23377/412118 */ + half_sum_24;
+    const double half_sum_26 = half_sum_21 * half_sum_25;
+    const double half_sum_27 = -0.0663687889326335 /* -210670/3174233 */ + half_sum_26;
+    const double half_sum_28 = half_sum_21 * half_sum_27;
+    const double half_sum_29 = 0.07689524235639426 /* 1143921/14876356 */ + half_sum_28;
+    const double half_sum_30 = half_sum_21 * half_sum_29;
+    const double half_sum_31 = -0.09090738837093491 /* -1364005/15004336 */ + half_sum_30;
+    const double half_sum_32 = half_sum_21 * half_sum_31;
+    const double half_sum_33 = 0.11111104505111347 /* 5793458/52141153 */ + half_sum_32;
+    const double half_sum_34 = half_sum_21 * half_sum_33;
+    const double half_sum_35 = -0.14285714133630667 /* -13419041/93933288 */ + half_sum_34;
+    const double half_sum_36 = half_sum_21 * half_sum_35;
+    const double half_sum_37 = 0.19999999998182857 /* 2201258242/11006291211 */ + half_sum_36;
+    const double half_sum_38 = half_sum_21 * half_sum_37;
+    const double half_sum_39 = -0.3333333333332519 /* -1364136838384/4092410515153 */ + half_sum_38;
+    const double half_sum_40 = half_sum_21 * half_sum_39;
+    const double half_sum_41 = half_sum_20 * half_sum_40;
+    const double half_sum_42 = half_sum_20 + half_sum_41;
+    const double half_sum_43 = 0.7853981633974483 + half_sum_42;
+    const double half_sum_44 = (half_sum_13 != 0) ? half_sum_43 : half_sum_42;
+    const double half_sum_45 = 1.5707963267948966 - half_sum_44;
+    const double half_sum_46 = (half_sum_9 != 0) ? half_sum_45 : half_sum_44;
+    const double half_sum_47 = 3.141592653589793 - half_sum_46;
+    const double half_sum_48 = (half_sum_6 != 0) ? half_sum_47 : half_sum_46;
+    const double half_sum_49 = -half_sum_48;
+    const double half_sum = (half_sum_3 != 0) ? half_sum_49 : half_sum_48;
+
+    /* half_difference = (yaw - roll)/2   [zxy] */
+    const int32_t half_difference_3 = half_difference_1 < 0.0;
+    const double half_difference_4 = -half_difference_1;
+    const double half_difference_5 = (half_difference_3 != 0) ? half_difference_4 : half_difference_1;
+    const int32_t half_difference_6 = half_difference_2 < 0.0;
+    const double half_difference_7 = -half_difference_2;
+    const double half_difference_8 = (half_difference_6 != 0) ? half_difference_7 : half_difference_2;
+    const int32_t half_difference_9 = half_difference_8 < half_difference_5;
+    const double half_difference_10 = (half_difference_9 != 0) ? half_difference_8 : half_difference_5;
+    const double half_difference_11 = (half_difference_9 != 0) ? half_difference_5 : half_difference_8;
+    const double half_difference_12 = 0.41421356 /* 10355339/25000000 */ * half_difference_11;
+    const int32_t half_difference_13 = half_difference_12 < half_difference_10;
+    const double half_difference_14 = half_difference_10 - half_difference_11;
+    const double half_difference_15 = (half_difference_13 != 0) ? half_difference_14 : half_difference_10;
+    const double half_difference_16 = half_difference_10 + half_difference_11;
+    const double half_difference_17 = (half_difference_13 != 0) ? half_difference_16 : half_difference_11;
+    const int32_t half_difference_18 = 0.0 < half_difference_11;
+    const double half_difference_19 = (half_difference_18 != 0) ? half_difference_17 : 1.0;
+    const double half_difference_20 = half_difference_15 / half_difference_19;
+    const double half_difference_21 = half_difference_20 * half_difference_20;
+    const double half_difference_22 = half_difference_21 * 0.020659271935216498 /* 9646/466909 */;
+    const double half_difference_23 = -0.04305880762135514 /* -31207/724753 */ + half_difference_22;
+    const double half_difference_24 = half_difference_21 * half_difference_23;
+    const double half_difference_25 = 0.05672404505505705 /* 23377/412118 */ + half_difference_24;
+    const double half_difference_26 = half_difference_21 * half_difference_25;
+    const double half_difference_27 = -0.0663687889326335 /* -210670/3174233 */ + half_difference_26;
+    const double half_difference_28 = half_difference_21 * half_difference_27;
+    const double half_difference_29 = 0.07689524235639426 /* 1143921/14876356 */ + half_difference_28;
+    const double half_difference_30 = half_difference_21 * half_difference_29;
+    const double half_difference_31 = -0.09090738837093491 /* -1364005/15004336 */ + half_difference_30;
+    const double half_difference_32 = half_difference_21 * half_difference_31;
+    const double half_difference_33 = 0.11111104505111347 /* 5793458/52141153 */ + half_difference_32;
+    const double half_difference_34 = half_difference_21 * half_difference_33;
+    const double half_difference_35 = -0.14285714133630667 /* -13419041/93933288 */ + half_difference_34;
+    const double half_difference_36 = half_difference_21 * half_difference_35;
+    const double half_difference_37 = 0.19999999998182857 /* 2201258242/11006291211 */ + half_difference_36;
+    const double half_difference_38 = half_difference_21 * half_difference_37;
+    const double half_difference_39 = -0.3333333333332519 /* -1364136838384/4092410515153 */ + half_difference_38;
+    const double half_difference_40 = half_difference_21 * half_difference_39;
+    const double half_difference_41 = half_difference_20 * half_difference_40;
+    const double half_difference_42 = half_difference_20 + half_difference_41;
+    const double half_difference_43 = 0.7853981633974483 + half_difference_42;
+    const double half_difference_44 = (half_difference_13 != 0) ? half_difference_43 : half_difference_42;
+    const double half_difference_45 = 1.5707963267948966 - half_difference_44;
+    const double half_difference_46 = (half_difference_9 != 0) ? half_difference_45 : half_difference_44;
+    const double half_difference_47 = 3.141592653589793 - half_difference_46;
+    const double half_difference_48 = (half_difference_6 != 0) ? half_difference_47 : half_difference_46;
+    const double half_difference_49 = -half_difference_48;
+    const double half_difference = (half_difference_3 != 0) ? half_difference_49 : half_difference_48;
+
+    /* up = square of the numerator of tan(pitch/2 + pi/4) */
+    const double up_1 = half_sum_2 * half_sum_2;
+    const double up_2 = half_sum_1 * half_sum_1;
+    const double up = up_1 + up_2;
+
+    /* down = square of its denominator */
+    const double down_1 = half_difference_2 * half_difference_2;
+    const double down_2 = half_difference_1 * half_difference_1;
+    const double down = down_1 + down_2;
+
+    /* pitch = 2 atan(sqrt(up/down)) - pi/2   [zxy] */
+    const int32_t pitch_1 = down < up;
+    const double pitch_2 = (pitch_1 != 0) ? down : up;
+    const double pitch_3 = (pitch_1 != 0) ? up : down;
+    const double pitch_4 = pitch_2 / pitch_3;
+    const double pitch_5 = 0.25 * pitch_4;
+    const int32_t pitch_6 = pitch_5 < 5.421010862427522e-20 /* 1/18446744073709551616 */;
+    const double pitch_7 = 1.8446744073709552e+19 * pitch_5;
+    const double pitch_8 = (pitch_6 != 0) ? pitch_7 : pitch_5;
+    const double pitch_9 = (pitch_6 != 0) ? 1.1641532182693481e-10 /* 1/8589934592 */ : 0.5;
+    const int32_t pitch_10 = pitch_8 < 2.3283064365386963e-10 /* 1/4294967296 */;
+    const double pitch_11 = 4294967296.0 * pitch_8;
+    const double pitch_12 = (pitch_10 != 0) ? pitch_11 : pitch_8;
+    const double pitch_13 = 1.52587890625e-05 /* 1/65536 */ * pitch_9;
+    const double pitch_14 = (pitch_10 != 0) ? pitch_13 : pitch_9;
+    const int32_t pitch_15 = pitch_12 < 1.52587890625e-05 /* 1/65536 */;
+    const double pitch_16 = 65536.0 * pitch_12;
+    const double pitch_17 = (pitch_15 != 0) ? pitch_16 : pitch_12;
+    const double pitch_18 = 0.00390625 /* 1/256 */ * pitch_14;
+    const double pitch_19 = (pitch_15 != 0) ? pitch_18 : pitch_14;
+    const int32_t pitch_20 = pitch_17 < 0.00390625 /* 1/256 */;
+    const double pitch_21 = 256.0 * pitch_17;
+    const double pitch_22 = (pitch_20 != 0) ? pitch_21 : pitch_17;
+    const double pitch_23 = 0.0625 /* 1/16 */ * pitch_19;
+    const double pitch_24 = (pitch_20 != 0) ? pitch_23 : pitch_19;
+    const int32_t pitch_25 = pitch_22 < 0.0625 /* 1/16 */;
+    const double pitch_26 = 16.0 * pitch_22;
+    const double pitch_27 = (pitch_25 != 0) ? pitch_26 : pitch_22;
+    const double pitch_28 = 0.25 * pitch_24;
+    const double pitch_29 = (pitch_25 != 0) ? pitch_28 : pitch_24;
+    const int32_t pitch_30 = pitch_27 < 0.25;
+    const double pitch_31 = 4.0 * pitch_27;
+    const double pitch_32 = (pitch_30 != 0) ? pitch_31 : pitch_27;
+    const double pitch_33 = 0.5 * pitch_29;
+    const double pitch_34 = (pitch_30 != 0) ? pitch_33 : pitch_29;
+    const double pitch_35 = 4.0 * pitch_32;
+    const double pitch_36 = pitch_35 * 0.00018971865870298643 /* 834391485/4398046511104 */;
+    const double pitch_37 = -0.004294917113327301 /* -75556980903/17592186044416 */ + pitch_36;
+    const double pitch_38 = pitch_35 * pitch_37;
+    const double pitch_39 = 0.042329438021056376 /* 372333674411/8796093022208 */ + pitch_38;
+    const double pitch_40 = pitch_35 * pitch_39;
+    const double pitch_41 = -0.23826869500408066 /* -65494800173/274877906944 */ + pitch_40;
+    const double pitch_42 = pitch_35 * pitch_41;
+    const double pitch_43 = 0.8445661107319893 /* 7428882073403/8796093022208 */ + pitch_42;
+    const double pitch_44 = pitch_35 * pitch_43;
+    const double pitch_45 = -1.9604098645106092 /* -34487895059779/17592186044416 */ + pitch_44;
+    const double pitch_46 = pitch_35 * pitch_45;
+    const double pitch_47 = 3.0078762989989514 /* 52915119450579/17592186044416 */ + pitch_46;
+    const double pitch_48 = pitch_35 * pitch_47;
+    const double pitch_49 = -3.045469355495527 /* -53576463494445/17592186044416 */ + pitch_48;
+    const double pitch_50 = pitch_35 * pitch_49;
+    const double pitch_51 = 2.3534559481227575 /* 41402434886713/17592186044416 */ + pitch_50;
+    const double pitch_52 = 0.5 * pitch_51;
+    const double pitch_53 = pitch_51 * pitch_51;
+    const double pitch_54 = pitch_35 * pitch_53;
+    const double pitch_55 = 1.0 - pitch_54;
+    const double pitch_56 = pitch_52 * pitch_55;
+    const double pitch_57 = pitch_51 + pitch_56;
+    const double pitch_58 = 0.5 * pitch_57;
+    const double pitch_59 = pitch_57 * pitch_57;
+    const double pitch_60 = pitch_35 * pitch_59;
+    const double pitch_61 = 1.0 - pitch_60;
+    const double pitch_62 = pitch_58 * pitch_61;
+    const double pitch_63 = pitch_57 + pitch_62;
+    const double pitch_64 = pitch_35 * pitch_63;
+    const double pitch_65 = pitch_64 * pitch_34;
+    const double pitch_66 = 2.0 * pitch_65;
+    const int32_t pitch_67 = pitch_66 < 0.0;
+    const double pitch_68 = -pitch_66;
+    const double pitch_69 = (pitch_67 != 0) ? pitch_68 : pitch_66;
+    const int32_t pitch_70 = 1.0 < 0.0;
+    const double pitch_71 = (pitch_70 != 0) ? -1.0 : 1.0;
+    const int32_t pitch_72 = pitch_71 < pitch_69;
+    const double pitch_73 = (pitch_72 != 0) ? pitch_71 : pitch_69;
+    const double pitch_74 = (pitch_72 != 0) ? pitch_69 : pitch_71;
+    const double pitch_75 = 0.41421356 /* 10355339/25000000 */ * pitch_74;
+    const int32_t pitch_76 = pitch_75 < pitch_73;
+    const double pitch_77 = pitch_73 - pitch_74;
+    const double pitch_78 = (pitch_76 != 0) ? pitch_77 : pitch_73;
+    const double pitch_79 = pitch_73 + pitch_74;
+    const double pitch_80 = (pitch_76 != 0) ? pitch_79 : pitch_74;
+    const int32_t pitch_81 = 0.0 < pitch_74;
+    const double pitch_82 = (pitch_81 != 0) ? pitch_80 : 1.0;
+    const double pitch_83 = pitch_78 / pitch_82;
+    const double pitch_84 = pitch_83 * pitch_83;
+    const double pitch_85 = pitch_84 * 0.020659271935216498 /* 9646/466909 */;
+    const double pitch_86 = -0.04305880762135514 /* -31207/724753 */ + pitch_85;
+    const double pitch_87 = pitch_84 * pitch_86;
+    const double pitch_88 = 0.05672404505505705 /* 23377/412118 */ + pitch_87;
+    const double pitch_89 = pitch_84 * pitch_88;
+    const double pitch_90 = -0.0663687889326335 /* -210670/3174233 */ + pitch_89;
+    const double pitch_91 = pitch_84 * pitch_90;
+    const double pitch_92 = 0.07689524235639426 /* 1143921/14876356 */ + pitch_91;
+    const double pitch_93 = pitch_84 * pitch_92;
+    const double pitch_94 = -0.09090738837093491 /* -1364005/15004336 */ + pitch_93;
+    const double pitch_95 = pitch_84 * pitch_94;
+    const double pitch_96 = 0.11111104505111347 /* 5793458/52141153 */ + pitch_95;
+    const double pitch_97 = pitch_84 * pitch_96;
+    const double pitch_98 = -0.14285714133630667 /* -13419041/93933288 */ + pitch_97;
+    const double pitch_99 = pitch_84 * pitch_98;
+    const double pitch_100 = 0.19999999998182857 /* 2201258242/11006291211 */ + pitch_99;
+    const double pitch_101 = pitch_84 * pitch_100;
+    const double pitch_102 = -0.3333333333332519 /* -1364136838384/4092410515153 */ + pitch_101;
+    const double pitch_103 = pitch_84 * pitch_102;
+    const double pitch_104 = pitch_83 * pitch_103;
+    const double pitch_105 = pitch_83 + pitch_104;
+    const double pitch_106 = 0.7853981633974483 + pitch_105;
+    const double pitch_107 = (pitch_76 != 0) ? pitch_106 : pitch_105;
+    const double pitch_108 = 1.5707963267948966 - pitch_107;
+    const double pitch_109 = (pitch_72 != 0) ? pitch_108 : pitch_107;
+    const double pitch_110 = 3.141592653589793 - pitch_109;
+    const double pitch_111 = (pitch_70 != 0) ? pitch_110 : pitch_109;
+    const double pitch_112 = -pitch_111;
+    const double pitch_113 = (pitch_67 != 0) ? pitch_112 : pitch_111;
+    const double pitch_114 = pitch_113 + pitch_113;
+    const double pitch_115 = 1.5707963267948966 - pitch_114;
+    const double pitch_116 = -pitch_115;
+    const double pitch = (pitch_1 != 0) ? pitch_115 : pitch_116;
+
+    /* roll = half_sum - half_difference, in [-pi, pi] */
+    const double roll_1 = half_sum - half_difference;
+    const int32_t roll_2 = 3.141592653589793 < roll_1;
+    const double roll_3 = roll_1 - 6.283185307179586;
+    const double roll_4 = (roll_2 != 0) ? roll_3 : roll_1;
+    const int32_t roll_5 = roll_4 < -3.141592653589793;
+    const double roll_6 = roll_4 + 6.283185307179586;
+    const double roll = (roll_5 != 0) ? roll_6 : roll_4;
+
+    /* yaw = half_sum + half_difference, in [-pi, pi] */
+    const double yaw_1 = half_sum + half_difference;
+    const int32_t yaw_2 = 3.141592653589793 < yaw_1;
+    const double yaw_3 = yaw_1 - 6.283185307179586;
+    const double yaw_4 = (yaw_2 != 0) ? yaw_3 : yaw_1;
+    const int32_t yaw_5 = yaw_4 < -3.141592653589793;
+    const double yaw_6 = yaw_4 + 6.283185307179586;
+    const double yaw = (yaw_5 != 0) ? yaw_6 : yaw_4;
+
+    rpy[0] = roll;
+    rpy[1] = pitch;
+    rpy[2] = yaw;
+}
+
+void rotation_vector_3_coning_rins_zxy_float64_set_correction(
+    rotation_vector_3_coning_rins_zxy_float64_state *state, const double azimuth[3],
+    const double tilt_x[3], const double tilt_y[3])
+{
+    /* A, B, C of the encoder error A sin al + B cos al + C, rad */
+    const double azimuth_sine = azimuth[0];
+    const double azimuth_cosine = azimuth[1];
+    const double azimuth_offset = azimuth[2];
+    state->azimuth_harmonic[0] = azimuth_sine;
+    state->azimuth_harmonic[1] = azimuth_cosine;
+    state->azimuth_harmonic[2] = azimuth_offset;
+
+    /* A2, B2, C2 of the tilt about x, A2 sin 2al + B2 cos 2al + C2, rad */
+    const double tilt_x_sine = tilt_x[0];
+    const double tilt_x_cosine = tilt_x[1];
+    const double tilt_x_offset = tilt_x[2];
+    state->tilt_x_harmonic[0] = tilt_x_sine;
+    state->tilt_x_harmonic[1] = tilt_x_cosine;
+    state->tilt_x_harmonic[2] = tilt_x_offset;
+
+    /* A2, B2, C2 of the tilt about y, A2 sin 2al + B2 cos 2al + C2, rad */
+    const double tilt_y_sine = tilt_y[0];
+    const double tilt_y_cosine = tilt_y[1];
+    const double tilt_y_offset = tilt_y[2];
+    state->tilt_y_harmonic[0] = tilt_y_sine;
+    state->tilt_y_harmonic[1] = tilt_y_cosine;
+    state->tilt_y_harmonic[2] = tilt_y_offset;
+}
+
+void rotation_vector_3_coning_rins_zxy_float64_correct(
+    const rotation_vector_3_coning_rins_zxy_float64_state *state, double encoder, double angle[1],
+    double tilt[2])
+{
+    /* the encoder's angle and the harmonics, read once */
+    const double al = encoder;
+    const double azimuth_sine = state->azimuth_harmonic[0];
+    const double azimuth_cosine = state->azimuth_harmonic[1];
+    const double azimuth_offset = state->azimuth_harmonic[2];
+    const double tilt_x_sine = state->tilt_x_harmonic[0];
+    const double tilt_x_cosine = state->tilt_x_harmonic[1];
+    const double tilt_x_offset = state->tilt_x_harmonic[2];
+    const double tilt_y_sine = state->tilt_y_harmonic[0];
+    const double tilt_y_cosine = state->tilt_y_harmonic[1];
+    const double tilt_y_offset = state->tilt_y_harmonic[2];
+
+    /* cos_al = cos al, with sin_al = sin al: al folded to [0, pi/4], polynomials */
+    const int32_t sin_al_1 = 3.141592653589793 < al;
+    const double sin_al_2 = al - 6.283185307179586;
+    const double sin_al_3 = (sin_al_1 != 0) ? sin_al_2 : al;
+    const int32_t sin_al_4 = sin_al_3 < -3.141592653589793;
+    const double sin_al_5 = sin_al_3 + 6.283185307179586;
+    const double sin_al_6 = (sin_al_4 != 0) ? sin_al_5 : sin_al_3;
+    const int32_t sin_al_7 = sin_al_6 < 0.0;
+    const double sin_al_8 = -sin_al_6;
+    const double sin_al_9 = (sin_al_7 != 0) ? sin_al_8 : sin_al_6;
+    const int32_t sin_al_10 = 1.5707963267948966 < sin_al_9;
+    const double sin_al_11 = 3.141592653589793 - sin_al_9;
+    const double sin_al_12 = (sin_al_10 != 0) ? sin_al_11 : sin_al_9;
+    const int32_t sin_al_13 = 0.7853981633974483 < sin_al_12;
+    const double sin_al_14 = 1.5707963267948966 - sin_al_12;
+    const double sin_al_15 = (sin_al_13 != 0) ? sin_al_14 : sin_al_12;
+    const double sin_al_16 = sin_al_15 * sin_al_15;
+    const double sin_al_17 = sin_al_16 * 1.5888590234853853e-10 /* 1/6293824595 */;
+    const double sin_al_18 = -2.5050600311467533e-08 /* -28/1117737685 */ + sin_al_17;
+    const double sin_al_19 = sin_al_16 * sin_al_18;
+    const double sin_al_20 = 2.755731254530188e-06 /* 1933/701447210 */ + sin_al_19;
+    const double sin_al_21 = sin_al_16 * sin_al_20;
+    const double sin_al_22 = -0.00019841269825935837 /* -256734/1293939361 */ + sin_al_21;
+    const double sin_al_23 = sin_al_16 * sin_al_22;
+    const double sin_al_24 = 0.008333333333316484 /* 4121483234/494577988081 */ + sin_al_23;
+    const double sin_al_25 = sin_al_16 * sin_al_24;
+    const double sin_al_26 = -0.166666666666666 /* -41891153280974/251346919685845 */ + sin_al_25;
+    const double sin_al_27 = sin_al_16 * sin_al_26;
+    const double sin_al_28 = sin_al_15 * sin_al_27;
+    const double sin_al_29 = sin_al_15 + sin_al_28;
+    const double sin_al_30 = sin_al_16 * 2.0633620775764964e-09 /* 1/484645914 */;
+    const double sin_al_31 = -2.755529690519287e-07 /* -121/439117025 */ + sin_al_30;
+    const double sin_al_32 = sin_al_16 * sin_al_31;
+    const double sin_al_33 = 2.4801579019900845e-05 /* 37063/1494380659 */ + sin_al_32;
+    const double sin_al_34 = sin_al_16 * sin_al_33;
+    const double sin_al_35 = -0.0013888888871736989 /* -1124664/809758081 */ + sin_al_34;
+    const double sin_al_36 = sin_al_16 * sin_al_35;
+    const double sin_al_37 = 0.04166666666650333 /* 10628826118/255091826833 */ + sin_al_36;
+    const double sin_al_38 = sin_al_16 * sin_al_37;
+    const double sin_al_39 = -0.49999999999999484 /* -48263372516038/96526745032077 */ + sin_al_38;
+    const double sin_al_40 = sin_al_16 * sin_al_39;
+    const double sin_al_41 = 1.0 + sin_al_40;
+    const double sin_al_42 = (sin_al_13 != 0) ? sin_al_41 : sin_al_29;
+    const double cos_al_1 = (sin_al_13 != 0) ? sin_al_29 : sin_al_41;
+    const double sin_al_43 = -sin_al_42;
+    const double sin_al = (sin_al_7 != 0) ? sin_al_43 : sin_al_42;
+    const double cos_al_2 = -cos_al_1;
+    const double cos_al = (sin_al_10 != 0) ? cos_al_2 : cos_al_1;
+
+    /* error = A sin al + B cos al + C   [rins (13)] */
+    const double error_1 = azimuth_sine * sin_al;
+    const double error_2 = azimuth_cosine * cos_al;
+    const double error_3 = error_1 + error_2;
+    const double error = error_3 + azimuth_offset;
+
+    /* al_corr = al - error   [rins (15)] */
+    const double al_corr = al - error;
+
+    /* cos_error = cos(error), with sin_error: as far as so small an angle needs */
+    const double sin_error_1 = error * error;
+    const double sin_error_2 = sin_error_1 * 0.008333333333333333 /* 1/120 */;
+    const double sin_error_3 = -0.16666666666666666 /* -1/6 */ + sin_error_2;
+    const double sin_error_4 = sin_error_1 * sin_error_3;
+    const double sin_error_5 = error * sin_error_4;
+    const double sin_error = error + sin_error_5;
+    const double cos_error_1 = sin_error_1 * 0.041666666666666664 /* 1/24 */;
+    const double cos_error_2 = -0.5 + cos_error_1;
+    const double cos_error_3 = sin_error_1 * cos_error_2;
+    const double cos_error = 1.0 + cos_error_3;
+
+    /* cos_corr = cos(al - error), with sin_corr */
+    const double sin_corr_1 = sin_al * cos_error;
+    const double sin_corr_2 = cos_al * sin_error;
+    const double sin_corr = sin_corr_1 - sin_corr_2;
+    const double cos_corr_1 = cos_al * cos_error;
+    const double cos_corr_2 = sin_al * sin_error;
+    const double cos_corr = cos_corr_1 + cos_corr_2;
+
+    /* cos_2al = cos 2al_corr, with sin_2al */
+    const double sin_2al_1 = sin_corr + sin_corr;
+    const double sin_2al = sin_2al_1 * cos_corr;
+    const double cos_2al_1 = sin_2al_1 * sin_corr;
+    const double cos_2al = 1.0 - cos_2al_1;
+
+    /* delta_x = A2 sin 2al + B2 cos 2al + C2   [rins (16)] */
+    const double delta_x_1 = tilt_x_sine * sin_2al;
+    const double delta_x_2 = tilt_x_cosine * cos_2al;
+    const double delta_x_3 = delta_x_1 + delta_x_2;
+    const double delta_x = delta_x_3 + tilt_x_offset;
+
+    /* delta_y = A2 sin 2al + B2 cos 2al + C2   [rins (16)] */
+    const double delta_y_1 = tilt_y_sine * sin_2al;
+    const double delta_y_2 = tilt_y_cosine * cos_2al;
+    const double delta_y_3 = delta_y_1 + delta_y_2;
+    const double delta_y = delta_y_3 + tilt_y_offset;
+
+    angle[0] = al_corr;
+    tilt[0] = delta_x;
+    tilt[1] = delta_y;
+}
+
+void rotation_vector_3_coning_rins_zxy_float64_body_quaternion(
+    const rotation_vector_3_coning_rins_zxy_float64_state *state, double angle, const double tilt[2],
+    double q_nb[4])
+{
+    /* q, read once */
+    const double q_w = state->q[0];
+    const double q_x = state->q[1];
+    const double q_y = state->q[2];
+    const double q_z = state->q[3];
+
+    /* corrected angle and tilts */
+    const double al = angle;
+    const double delta_x = tilt[0];
+    const double delta_y = tilt[1];
+
+    /* cos_x = cos(delta_x/2), with sin_x */
+    const double sin_x_1 = 0.5 * delta_x;
+    const double sin_x_2 = sin_x_1 * sin_x_1;
+    const double sin_x_3 = sin_x_2 * 0.008333333333333333 /* 1/120 */;
+    const double sin_x_4 = -0.16666666666666666 /* -1/6 */ + sin_x_3;
+    const double sin_x_5 = sin_x_2 * sin_x_4;
+    const double sin_x_6 = sin_x_1 * sin_x_5;
+    const double sin_x = sin_x_1 + sin_x_6;
+    const double cos_x_1 = sin_x_2 * 0.041666666666666664 /* 1/24 */;
+    const double cos_x_2 = -0.5 + cos_x_1;
+    const double cos_x_3 = sin_x_2 * cos_x_2;
+    const double cos_x = 1.0 + cos_x_3;
+
+    /* cos_y = cos(delta_y/2), with sin_y */
+    const double sin_y_1 = 0.5 * delta_y;
+    const double sin_y_2 = sin_y_1 * sin_y_1;
+    const double sin_y_3 = sin_y_2 * 0.008333333333333333 /* 1/120 */;
+    const double sin_y_4 = -0.16666666666666666 /* -1/6 */ + sin_y_3;
+    const double sin_y_5 = sin_y_2 * sin_y_4;
+    const double sin_y_6 = sin_y_1 * sin_y_5;
+    const double sin_y = sin_y_1 + sin_y_6;
+    const double cos_y_1 = sin_y_2 * 0.041666666666666664 /* 1/24 */;
+    const double cos_y_2 = -0.5 + cos_y_1;
+    const double cos_y_3 = sin_y_2 * cos_y_2;
+    const double cos_y = 1.0 + cos_y_3;
+
+    /* tilt_z = sin_y sin_x; C_s'^s as [tilt_w, -tilt_x, -tilt_y, -tilt_z]   [rins (11)] */
+    const double tilt_w = cos_y * cos_x;
+    const double tilt_x = cos_y * sin_x;
+    const double tilt_y = sin_y * cos_x;
+    const double tilt_z = sin_y * sin_x;
+
+    /* cos_half = cos(al/2), with sin_half: al/2 folded to [0, pi/4], polynomials */
+    const double sin_half_1 = 0.5 * al;
+    const int32_t sin_half_2 = 3.141592653589793 < sin_half_1;
+    const double sin_half_3 = sin_half_1 - 6.283185307179586;
+    const double sin_half_4 = (sin_half_2 != 0) ? sin_half_3 : sin_half_1;
+    const int32_t sin_half_5 = sin_half_4 < -3.141592653589793;
+    const double sin_half_6 = sin_half_4 + 6.283185307179586;
+    const double sin_half_7 = (sin_half_5 != 0) ? sin_half_6 : sin_half_4;
+    const int32_t sin_half_8 = sin_half_7 < 0.0;
+    const double sin_half_9 = -sin_half_7;
+    const double sin_half_10 = (sin_half_8 != 0) ? sin_half_9 : sin_half_7;
+    const int32_t sin_half_11 = 1.5707963267948966 < sin_half_10;
+    const double sin_half_12 = 3.141592653589793 - sin_half_10;
+    const double sin_half_13 = (sin_half_11 != 0) ? sin_half_12 : sin_half_10;
+    const int32_t sin_half_14 = 0.7853981633974483 < sin_half_13;
+    const double sin_half_15 = 1.5707963267948966 - sin_half_13;
+    const double sin_half_16 = (sin_half_14 != 0) ? sin_half_15 : sin_half_13;
+    const double sin_half_17 = sin_half_16 * sin_half_16;
+    const double sin_half_18 = sin_half_17 * 1.5888590234853853e-10 /* 1/6293824595 */;
+    const double sin_half_19 = -2.5050600311467533e-08 /* -28/1117737685 */ + sin_half_18;
+    const double sin_half_20 = sin_half_17 * sin_half_19;
+    const double sin_half_21 = 2.755731254530188e-06 /* 1933/701447210 */ + sin_half_20;
+    const double sin_half_22 = sin_half_17 * sin_half_21;
+    const double sin_half_23 = -0.00019841269825935837 /* -256734/1293939361 */ + sin_half_22;
+    const double sin_half_24 = sin_half_17 * sin_half_23;
+    const double sin_half_25 = 0.008333333333316484 /* 4121483234/494577988081 */ + sin_half_24;
+    const double sin_half_26 = sin_half_17 * sin_half_25;
+    const double sin_half_27 = -0.166666666666666 /* -41891153280974/251346919685845 */ + sin_half_26;
+    const double sin_half_28 = sin_half_17 * sin_half_27;
+    const double sin_half_29 = sin_half_16 * sin_half_28;
+    const double sin_half_30 = sin_half_16 + sin_half_29;
+    const double sin_half_31 = sin_half_17 * 2.0633620775764964e-09 /* 1/484645914 */;
+    const double sin_half_32 = -2.755529690519287e-07 /* -121/439117025 */ + sin_half_31;
+    const double sin_half_33 = sin_half_17 * sin_half_32;
+    const double sin_half_34 = 2.4801579019900845e-05 /* 37063/1494380659 */ + sin_half_33;
+    const double sin_half_35 = sin_half_17 * sin_half_34;
+    const double sin_half_36 = -0.0013888888871736989 /* -1124664/809758081 */ + sin_half_35;
+    const double sin_half_37 = sin_half_17 * sin_half_36;
+    const double sin_half_38 = 0.04166666666650333 /* 10628826118/255091826833 */ + sin_half_37;
+    const double sin_half_39 = sin_half_17 * sin_half_38;
+    const double sin_half_40 = -0.49999999999999484 /* -48263372516038/96526745032077 */ + sin_half_39;
+    const double sin_half_41 = sin_half_17 * sin_half_40;
+    const double sin_half_42 = 1.0 + sin_half_41;
+    const double sin_half_43 = (sin_half_14 != 0) ? sin_half_42 : sin_half_30;
+    const double cos_half_1 = (sin_half_14 != 0) ? sin_half_30 : sin_half_42;
+    const double sin_half_44 = -sin_half_43;
+    const double sin_half = (sin_half_8 != 0) ? sin_half_44 : sin_half_43;
+    const double cos_half_2 = -cos_half_1;
+    const double cos_half = (sin_half_11 != 0) ? cos_half_2 : cos_half_1;
+
+    /* q_sb = C_s'^s C_b^s' = [tilt_w, -tilt_x, ...] (x) [cos_half, 0, 0, -sin_half]   [rins (5)] */
+    const double q_sb_w_1 = tilt_w * cos_half;
+    const double q_sb_w_2 = tilt_z * sin_half;
+    const double q_sb_w = q_sb_w_1 - q_sb_w_2;
+    const double q_sb_x_1 = tilt_y * sin_half;
+    const double q_sb_x_2 = tilt_x * cos_half;
+    const double q_sb_x = q_sb_x_1 - q_sb_x_2;
+    const double q_sb_y_negated_1 = tilt_y * cos_half;
+    const double q_sb_y_negated_2 = tilt_x * sin_half;
+    const double q_sb_y_negated = q_sb_y_negated_1 + q_sb_y_negated_2;
+    const double q_sb_z_negated_1 = tilt_z * cos_half;
+    const double q_sb_z_negated_2 = tilt_w * sin_half;
+    const double q_sb_z_negated = q_sb_z_negated_1 + q_sb_z_negated_2;
+
+    /* q_nb = q_ns (x) q_sb   [rins (10)] */
+    const double q_nb_w_1 = q_w * q_sb_w;
+    const double q_nb_w_2 = q_x * q_sb_x;
+    const double q_nb_w_3 = q_y * q_sb_y_negated;
+    const double q_nb_w_4 = q_z * q_sb_z_negated;
+    const double q_nb_w_5 = q_nb_w_1 - q_nb_w_2;
+    const double q_nb_w_6 = q_nb_w_5 + q_nb_w_3;
+    const double q_nb_w = q_nb_w_6 + q_nb_w_4;
+    const double q_nb_x_1 = q_x * q_sb_w;
+    const double q_nb_x_2 = q_w * q_sb_x;
+    const double q_nb_x_3 = q_z * q_sb_y_negated;
+    const double q_nb_x_4 = q_y * q_sb_z_negated;
+    const double q_nb_x_5 = q_nb_x_1 + q_nb_x_2;
+    const double q_nb_x_6 = q_nb_x_5 + q_nb_x_3;
+    const double q_nb_x = q_nb_x_6 - q_nb_x_4;
+    const double q_nb_y_1 = q_y * q_sb_w;
+    const double q_nb_y_2 = q_z * q_sb_x;
+    const double q_nb_y_3 = q_w * q_sb_y_negated;
+    const double q_nb_y_4 = q_x * q_sb_z_negated;
+    const double q_nb_y_5 = q_nb_y_1 + q_nb_y_2;
+    const double q_nb_y_6 = q_nb_y_5 - q_nb_y_3;
+    const double q_nb_y = q_nb_y_6 + q_nb_y_4;
+    const double q_nb_z_1 = q_z * q_sb_w;
+    const double q_nb_z_2 = q_y * q_sb_x;
+    const double q_nb_z_3 = q_x * q_sb_y_negated;
+    const double q_nb_z_4 = q_w * q_sb_z_negated;
+    const double q_nb_z_5 = q_nb_z_1 - q_nb_z_2;
+    const double q_nb_z_6 = q_nb_z_5 - q_nb_z_3;
+    const double q_nb_z = q_nb_z_6 - q_nb_z_4;
+
+    q_nb[0] = q_nb_w;
+    q_nb[1] = q_nb_x;
+    q_nb[2] = q_nb_y;
+    q_nb[3] = q_nb_z;
+}
+
+void rotation_vector_3_coning_rins_zxy_float64_body_dcm(const double q_nb[4], double c_nb[9])
+{
+    /* q_nb, read once */
+    const double q_nb_w = q_nb[0];
+    const double q_nb_x = q_nb[1];
+    const double q_nb_y = q_nb[2];
+    const double q_nb_z = q_nb[3];
+
+    /* zz = 2 q_z q_z; wx, wy, ... likewise   [cao (15)] */
+    const double x2 = q_nb_x + q_nb_x;
+    const double y2 = q_nb_y + q_nb_y;
+    const double z2 = q_nb_z + q_nb_z;
+    const double wx = q_nb_w * x2;
+    const double wy = q_nb_w * y2;
+    const double wz = q_nb_w * z2;
+    const double xx = q_nb_x * x2;
+    const double xy = q_nb_x * y2;
+    const double xz = q_nb_x * z2;
+    const double yy = q_nb_y * y2;
+    const double yz = q_nb_y * z2;
+    const double zz = q_nb_z * z2;
+
+    /* c_nb = C_nb(q)   [cao (15)] */
+    const double c_nb_11_1 = yy + zz;
+    const double c_nb_11 = 1.0 - c_nb_11_1;
+    const double c_nb_12 = xy - wz;
+    const double c_nb_13 = xz + wy;
+    const double c_nb_21 = xy + wz;
+    const double c_nb_22_1 = xx + zz;
+    const double c_nb_22 = 1.0 - c_nb_22_1;
+    const double c_nb_23 = yz - wx;
+    const double c_nb_31 = xz - wy;
+    const double c_nb_32 = yz + wx;
+    const double c_nb_33_1 = xx + yy;
+    const double c_nb_33 = 1.0 - c_nb_33_1;
+
+    c_nb[0] = c_nb_11;
+    c_nb[1] = c_nb_12;
+    c_nb[2] = c_nb_13;
+    c_nb[3] = c_nb_21;
+    c_nb[4] = c_nb_22;
+    c_nb[5] = c_nb_23;
+    c_nb[6] = c_nb_31;
+    c_nb[7] = c_nb_32;
+    c_nb[8] = c_nb_33;
+}
+
+void rotation_vector_3_coning_rins_zxy_float64_body_euler(const double q_nb[4], double rpy[3])
+{
+    /* q_nb, read once */
+    const double q_nb_w = q_nb[0];
+    const double q_nb_x = q_nb[1];
+    const double q_nb_y = q_nb[2];
+    const double q_nb_z = q_nb[3];
+
+    /* half_sum = (yaw + roll)/2   [zxy] */
+    const double half_sum_1 = q_nb_z + q_nb_y;
+    const double half_sum_2 = q_nb_w + q_nb_x;
+    const double half_difference_1 = q_nb_z - q_nb_y;
+    const double half_difference_2 = q_nb_w - q_nb_x;
+    const int32_t half_sum_3 = half_sum_1 < 0.0;
+    const double half_sum_4 = -half_sum_1;
+    const double half_sum_5 = (half_sum_3 != 0) ? half_sum_4 : half_sum_1;
+    const int32_t half_sum_6 = half_sum_2 < 0.0;
+    const double half_sum_7 = -half_sum_2;
+    const double half_sum_8 = (half_sum_6 != 0) ? half_sum_7 : half_sum_2;
+    const int32_t half_sum_9 = half_sum_8 < half_sum_5;
+    const double half_sum_10 = (half_sum_9 != 0) ? half_sum_8 : half_sum_5;
+    const double half_sum_11 = (half_sum_9 != 0) ? half_sum_5 : half_sum_8;
+    const double half_sum_12 = 0.41421356 /* 10355339/25000000 */ * half_sum_11;
+    const int32_t half_sum_13 = half_sum_12 < half_sum_10;
+    const double half_sum_14 = half_sum_10 - half_sum_11;
+    const double half_sum_15 = (half_sum_13 != 0) ? half_sum_14 : half_sum_10;
+    const double half_sum_16 = half_sum_10 + half_sum_11;
+    const double half_sum_17 = (half_sum_13 != 0) ? half_sum_16 : half_sum_11;
+    const int32_t half_sum_18 = 0.0 < half_sum_11;
+    const double half_sum_19 = (half_sum_18 != 0) ? half_sum_17 : 1.0;
+    const double half_sum_20 = half_sum_15 / half_sum_19;
+    const double half_sum_21 = half_sum_20 * half_sum_20;
+    const double half_sum_22 = half_sum_21 * 0.020659271935216498 /* 9646/466909 */;
+    const double half_sum_23 = -0.04305880762135514 /* -31207/724753 */ + half_sum_22;
+    const double half_sum_24 = half_sum_21 * half_sum_23;
+    const double half_sum_25 = 0.05672404505505705 /* 23377/412118 */ + half_sum_24;
+    const double half_sum_26 = half_sum_21 * half_sum_25;
+    const double half_sum_27 = -0.0663687889326335 /* -210670/3174233 */ + half_sum_26;
+    const double half_sum_28 = half_sum_21 * half_sum_27;
+    const double half_sum_29 = 0.07689524235639426 /* 1143921/14876356 */ + half_sum_28;
+    const double half_sum_30 = half_sum_21 * half_sum_29;
+    const double half_sum_31 = -0.09090738837093491 /* -1364005/15004336 */ + half_sum_30;
+    const double half_sum_32 = half_sum_21 * half_sum_31;
+    const double half_sum_33 = 0.11111104505111347 /* 5793458/52141153 */ + half_sum_32;
+    const double half_sum_34 = half_sum_21 * half_sum_33;
+    const double half_sum_35 = -0.14285714133630667 /* -13419041/93933288 */ + half_sum_34;
+    const double half_sum_36 = half_sum_21 * half_sum_35;
+    const double half_sum_37 = 0.19999999998182857 /* 2201258242/11006291211 */ + half_sum_36;
+    const double half_sum_38 = half_sum_21 * half_sum_37;
+    const double half_sum_39 = -0.3333333333332519 /* -1364136838384/4092410515153 */ + half_sum_38;
+    const double half_sum_40 = half_sum_21 * half_sum_39;
+    const double half_sum_41 = half_sum_20 * half_sum_40;
+    const double half_sum_42 = half_sum_20 + half_sum_41;
+    const double half_sum_43 = 0.7853981633974483 + half_sum_42;
+    const double half_sum_44 = (half_sum_13 != 0) ? half_sum_43 : half_sum_42;
+    const double half_sum_45 = 1.5707963267948966 - half_sum_44;
+    const double half_sum_46 = (half_sum_9 != 0) ? half_sum_45 : half_sum_44;
+    const double half_sum_47 = 3.141592653589793 - half_sum_46;
+    const double half_sum_48 = (half_sum_6 != 0) ? half_sum_47 : half_sum_46;
+    const double half_sum_49 = -half_sum_48;
+    const double half_sum = (half_sum_3 != 0) ? half_sum_49 : half_sum_48;
+
+    /* half_difference = (yaw - roll)/2   [zxy] */
+    const int32_t half_difference_3 = half_difference_1 < 0.0;
+    const double half_difference_4 = -half_difference_1;
+    const double half_difference_5 = (half_difference_3 != 0) ? half_difference_4 : half_difference_1;
+    const int32_t half_difference_6 = half_difference_2 < 0.0;
+    const double half_difference_7 = -half_difference_2;
+    const double half_difference_8 = (half_difference_6 != 0) ? half_difference_7 : half_difference_2;
+    const int32_t half_difference_9 = half_difference_8 < half_difference_5;
+    const double half_difference_10 = (half_difference_9 != 0) ? half_difference_8 : half_difference_5;
+    const double half_difference_11 = (half_difference_9 != 0) ? half_difference_5 : half_difference_8;
+    const double half_difference_12 = 0.41421356 /* 10355339/25000000 */ * half_difference_11;
+    const int32_t half_difference_13 = half_difference_12 < half_difference_10;
+    const double half_difference_14 = half_difference_10 - half_difference_11;
+    const double half_difference_15 = (half_difference_13 != 0) ? half_difference_14 : half_difference_10;
+    const double half_difference_16 = half_difference_10 + half_difference_11;
+    const double half_difference_17 = (half_difference_13 != 0) ? half_difference_16 : half_difference_11;
+    const int32_t half_difference_18 = 0.0 < half_difference_11;
+    const double half_difference_19 = (half_difference_18 != 0) ? half_difference_17 : 1.0;
+    const double half_difference_20 = half_difference_15 / half_difference_19;
+    const double half_difference_21 = half_difference_20 * half_difference_20;
+    const double half_difference_22 = half_difference_21 * 0.020659271935216498 /* 9646/466909 */;
+    const double half_difference_23 = -0.04305880762135514 /* -31207/724753 */ + half_difference_22;
+    const double half_difference_24 = half_difference_21 * half_difference_23;
+    const double half_difference_25 = 0.05672404505505705 /* 23377/412118 */ + half_difference_24;
+    const double half_difference_26 = half_difference_21 * half_difference_25;
+    const double half_difference_27 = -0.0663687889326335 /* -210670/3174233 */ + half_difference_26;
+    const double half_difference_28 = half_difference_21 * half_difference_27;
+    const double half_difference_29 = 0.07689524235639426 /* 1143921/14876356 */ + half_difference_28;
+    const double half_difference_30 = half_difference_21 * half_difference_29;
+    const double half_difference_31 = -0.09090738837093491 /* -1364005/15004336 */ + half_difference_30;
+    const double half_difference_32 = half_difference_21 * half_difference_31;
+    const double half_difference_33 = 0.11111104505111347 /* 5793458/52141153 */ + half_difference_32;
+    const double half_difference_34 = half_difference_21 * half_difference_33;
+    const double half_difference_35 = -0.14285714133630667 /* -13419041/93933288 */ + half_difference_34;
+    const double half_difference_36 = half_difference_21 * half_difference_35;
+    const double half_difference_37 = 0.19999999998182857 /* 2201258242/11006291211 */ + half_difference_36;
+    const double half_difference_38 = half_difference_21 * half_difference_37;
+    const double half_difference_39 = -0.3333333333332519 /* -1364136838384/4092410515153 */ + half_difference_38;
+    const double half_difference_40 = half_difference_21 * half_difference_39;
+    const double half_difference_41 = half_difference_20 * half_difference_40;
+    const double half_difference_42 = half_difference_20 + half_difference_41;
+    const double half_difference_43 = 0.7853981633974483 + half_difference_42;
+    const double half_difference_44 = (half_difference_13 != 0) ? half_difference_43 : half_difference_42;
+    const double half_difference_45 = 1.5707963267948966 - half_difference_44;
+    const double half_difference_46 = (half_difference_9 != 0) ? half_difference_45 : half_difference_44;
+    const double half_difference_47 = 3.141592653589793 - half_difference_46;
+    const double half_difference_48 = (half_difference_6 != 0) ? half_difference_47 : half_difference_46;
+    const double half_difference_49 = -half_difference_48;
+    const double half_difference = (half_difference_3 != 0) ? half_difference_49 : half_difference_48;
+
+    /* up = square of the numerator of tan(pitch/2 + pi/4) */
+    const double up_1 = half_sum_2 * half_sum_2;
+    const double up_2 = half_sum_1 * half_sum_1;
+    const double up = up_1 + up_2;
+
+    /* down = square of its denominator */
+    const double down_1 = half_difference_2 * half_difference_2;
+    const double down_2 = half_difference_1 * half_difference_1;
+    const double down = down_1 + down_2;
+
+    /* pitch = 2 atan(sqrt(up/down)) - pi/2   [zxy] */
+    const int32_t pitch_1 = down < up;
+    const double pitch_2 = (pitch_1 != 0) ? down : up;
+    const double pitch_3 = (pitch_1 != 0) ? up : down;
+    const double pitch_4 = pitch_2 / pitch_3;
+    const double pitch_5 = 0.25 * pitch_4;
+    const int32_t pitch_6 = pitch_5 < 5.421010862427522e-20 /* 1/18446744073709551616 */;
+    const double pitch_7 = 1.8446744073709552e+19 * pitch_5;
+    const double pitch_8 = (pitch_6 != 0) ? pitch_7 : pitch_5;
+    const double pitch_9 = (pitch_6 != 0) ? 1.1641532182693481e-10 /* 1/8589934592 */ : 0.5;
+    const int32_t pitch_10 = pitch_8 < 2.3283064365386963e-10 /* 1/4294967296 */;
+    const double pitch_11 = 4294967296.0 * pitch_8;
+    const double pitch_12 = (pitch_10 != 0) ? pitch_11 : pitch_8;
+    const double pitch_13 = 1.52587890625e-05 /* 1/65536 */ * pitch_9;
+    const double pitch_14 = (pitch_10 != 0) ? pitch_13 : pitch_9;
+    const int32_t pitch_15 = pitch_12 < 1.52587890625e-05 /* 1/65536 */;
+    const double pitch_16 = 65536.0 * pitch_12;
+    const double pitch_17 = (pitch_15 != 0) ? pitch_16 : pitch_12;
+    const double pitch_18 = 0.00390625 /* 1/256 */ * pitch_14;
+    const double pitch_19 = (pitch_15 != 0) ? pitch_18 : pitch_14;
+    const int32_t pitch_20 = pitch_17 < 0.00390625 /* 1/256 */;
+    const double pitch_21 = 256.0 * pitch_17;
+    const double pitch_22 = (pitch_20 != 0) ? pitch_21 : pitch_17;
+    const double pitch_23 = 0.0625 /* 1/16 */ * pitch_19;
+    const double pitch_24 = (pitch_20 != 0) ? pitch_23 : pitch_19;
+    const int32_t pitch_25 = pitch_22 < 0.0625 /* 1/16 */;
+    const double pitch_26 = 16.0 * pitch_22;
+    const double pitch_27 = (pitch_25 != 0) ? pitch_26 : pitch_22;
+    const double pitch_28 = 0.25 * pitch_24;
+    const double pitch_29 = (pitch_25 != 0) ? pitch_28 : pitch_24;
+    const int32_t pitch_30 = pitch_27 < 0.25;
+    const double pitch_31 = 4.0 * pitch_27;
+    const double pitch_32 = (pitch_30 != 0) ? pitch_31 : pitch_27;
+    const double pitch_33 = 0.5 * pitch_29;
+    const double pitch_34 = (pitch_30 != 0) ? pitch_33 : pitch_29;
+    const double pitch_35 = 4.0 * pitch_32;
+    const double pitch_36 = pitch_35 * 0.00018971865870298643 /* 834391485/4398046511104 */;
+    const double pitch_37 = -0.004294917113327301 /* -75556980903/17592186044416 */ + pitch_36;
+    const double pitch_38 = pitch_35 * pitch_37;
+    const double pitch_39 = 0.042329438021056376 /* 372333674411/8796093022208 */ + pitch_38;
+    const double pitch_40 = pitch_35 * pitch_39;
+    const double pitch_41 = -0.23826869500408066 /* -65494800173/274877906944 */ + pitch_40;
+    const double pitch_42 = pitch_35 * pitch_41;
+    const double pitch_43 = 0.8445661107319893 /* 7428882073403/8796093022208 */ + pitch_42;
+    const double pitch_44 = pitch_35 * pitch_43;
+    const double pitch_45 = -1.9604098645106092 /* -34487895059779/17592186044416 */ + pitch_44;
+    const double pitch_46 = pitch_35 * pitch_45;
+    const double pitch_47 = 3.0078762989989514 /* 52915119450579/17592186044416 */ + pitch_46;
+    const double pitch_48 = pitch_35 * pitch_47;
+    const double pitch_49 = -3.045469355495527 /* -53576463494445/17592186044416 */ + pitch_48;
+    const double pitch_50 = pitch_35 * pitch_49;
+    const double pitch_51 = 2.3534559481227575 /* 41402434886713/17592186044416 */ + pitch_50;
+    const double pitch_52 = 0.5 * pitch_51;
+    const double pitch_53 = pitch_51 * pitch_51;
+    const double pitch_54 = pitch_35 * pitch_53;
+    const double pitch_55 = 1.0 - pitch_54;
+    const double pitch_56 = pitch_52 * pitch_55;
+    const double pitch_57 = pitch_51 + pitch_56;
+    const double pitch_58 = 0.5 * pitch_57;
+    const double pitch_59 = pitch_57 * pitch_57;
+    const double pitch_60 = pitch_35 * pitch_59;
+    const double pitch_61 = 1.0 - pitch_60;
+    const double pitch_62 = pitch_58 * pitch_61;
+    const double pitch_63 = pitch_57 + pitch_62;
+    const double pitch_64 = pitch_35 * pitch_63;
+    const double pitch_65 = pitch_64 * pitch_34;
+    const double pitch_66 = 2.0 * pitch_65;
+    const int32_t pitch_67 = pitch_66 < 0.0;
+    const double pitch_68 = -pitch_66;
+    const double pitch_69 = (pitch_67 != 0) ? pitch_68 : pitch_66;
+    const int32_t pitch_70 = 1.0 < 0.0;
+    const double pitch_71 = (pitch_70 != 0) ? -1.0 : 1.0;
+    const int32_t pitch_72 = pitch_71 < pitch_69;
+    const double pitch_73 = (pitch_72 != 0) ? pitch_71 : pitch_69;
+    const double pitch_74 = (pitch_72 != 0) ? pitch_69 : pitch_71;
+    const double pitch_75 = 0.41421356 /* 10355339/25000000 */ * pitch_74;
+    const int32_t pitch_76 = pitch_75 < pitch_73;
+    const double pitch_77 = pitch_73 - pitch_74;
+    const double pitch_78 = (pitch_76 != 0) ? pitch_77 : pitch_73;
+    const double pitch_79 = pitch_73 + pitch_74;
+    const double pitch_80 = (pitch_76 != 0) ? pitch_79 : pitch_74;
+    const int32_t pitch_81 = 0.0 < pitch_74;
+    const double pitch_82 = (pitch_81 != 0) ? pitch_80 : 1.0;
+    const double pitch_83 = pitch_78 / pitch_82;
+    const double pitch_84 = pitch_83 * pitch_83;
+    const double pitch_85 = pitch_84 * 0.020659271935216498 /* 9646/466909 */;
+    const double pitch_86 = -0.04305880762135514 /* -31207/724753 */ + pitch_85;
+    const double pitch_87 = pitch_84 * pitch_86;
+    const double pitch_88 = 0.05672404505505705 /* 23377/412118 */ + pitch_87;
+    const double pitch_89 = pitch_84 * pitch_88;
+    const double pitch_90 = -0.0663687889326335 /* -210670/3174233 */ + pitch_89;
+    const double pitch_91 = pitch_84 * pitch_90;
+    const double pitch_92 = 0.07689524235639426 /* 1143921/14876356 */ + pitch_91;
+    const double pitch_93 = pitch_84 * pitch_92;
+    const double pitch_94 = -0.09090738837093491 /* -1364005/15004336 */ + pitch_93;
+    const double pitch_95 = pitch_84 * pitch_94;
+    const double pitch_96 = 0.11111104505111347 /* 5793458/52141153 */ + pitch_95;
+    const double pitch_97 = pitch_84 * pitch_96;
+    const double pitch_98 = -0.14285714133630667 /* -13419041/93933288 */ + pitch_97;
+    const double pitch_99 = pitch_84 * pitch_98;
+    const double pitch_100 = 0.19999999998182857 /* 2201258242/11006291211 */ + pitch_99;
+    const double pitch_101 = pitch_84 * pitch_100;
+    const double pitch_102 = -0.3333333333332519 /* -1364136838384/4092410515153 */ + pitch_101;
+    const double pitch_103 = pitch_84 * pitch_102;
+    const double pitch_104 = pitch_83 * pitch_103;
+    const double pitch_105 = pitch_83 + pitch_104;
+    const double pitch_106 = 0.7853981633974483 + pitch_105;
+    const double pitch_107 = (pitch_76 != 0) ? pitch_106 : pitch_105;
+    const double pitch_108 = 1.5707963267948966 - pitch_107;
+    const double pitch_109 = (pitch_72 != 0) ? pitch_108 : pitch_107;
+    const double pitch_110 = 3.141592653589793 - pitch_109;
+    const double pitch_111 = (pitch_70 != 0) ? pitch_110 : pitch_109;
+    const double pitch_112 = -pitch_111;
+    const double pitch_113 = (pitch_67 != 0) ? pitch_112 : pitch_111;
+    const double pitch_114 = pitch_113 + pitch_113;
+    const double pitch_115 = 1.5707963267948966 - pitch_114;
+    const double pitch_116 = -pitch_115;
+    const double pitch = (pitch_1 != 0) ? pitch_115 : pitch_116;
+
+    /* roll = half_sum - half_difference, in [-pi, pi] */
+    const double roll_1 = half_sum - half_difference;
+    const int32_t roll_2 = 3.141592653589793 < roll_1;
+    const double roll_3 = roll_1 - 6.283185307179586;
+    const double roll_4 = (roll_2 != 0) ? roll_3 : roll_1;
+    const int32_t roll_5 = roll_4 < -3.141592653589793;
+    const double roll_6 = roll_4 + 6.283185307179586;
+    const double roll = (roll_5 != 0) ? roll_6 : roll_4;
+
+    /* yaw = half_sum + half_difference, in [-pi, pi] */
+    const double yaw_1 = half_sum + half_difference;
+    const int32_t yaw_2 = 3.141592653589793 < yaw_1;
+    const double yaw_3 = yaw_1 - 6.283185307179586;
+    const double yaw_4 = (yaw_2 != 0) ? yaw_3 : yaw_1;
+    const int32_t yaw_5 = yaw_4 < -3.141592653589793;
+    const double yaw_6 = yaw_4 + 6.283185307179586;
+    const double yaw = (yaw_5 != 0) ? yaw_6 : yaw_4;
+
+    rpy[0] = roll;
+    rpy[1] = pitch;
+    rpy[2] = yaw;
+}
