@@ -22,16 +22,16 @@
  * high words:  7 of 31 rounded sums of products drop a whole word, 7 before formats were searched
  *              for that; of one update's errors in the first order it made 2.8e-09 of 2.8e-09
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
- * hold as-written          0       0    0         0       0       0     0     0     0       0      0
- * hold shared              0       0    0         0       0       0     0     0     0       0      0
- * hold emitted             0       0    0         0       0       0     0     0     0       0      3
- * start_up as-written     264       0  181        46      12       0     0     0     0       0      0
- * start_up shared        221      34  165        58       3       0     0     0     0       0      0
- * start_up emitted       221       0  162        61       8       0     0     0     0       0    220
- * steady as-written       75       0   37        23       2       0     0     0     0       0      0
- * steady shared           74       1   37        23       1       0     0     0     0       0      0
- * steady emitted          74       0   31        29       5       0     0     0     0       0     67
+ * operations          multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
+ * hold as-written            0       0    0         0       0       0     0     0     0       0      0
+ * hold shared                0       0    0         0       0       0     0     0     0       0      0
+ * hold emitted               0       0    0         0       0       0     0     0     0       0      3
+ * start_up as-written      264       0  181        46      12       0     0     0     0       0      0
+ * start_up shared          221      34  165        58       3       0     0     0     0       0      0
+ * start_up emitted         221       0  162        61       8       0     0     0     0       0    220
+ * steady as-written         75       0   37        23       2       0     0     0     0       0      0
+ * steady shared             74       1   37        23       1       0     0     0     0       0      0
+ * steady emitted            74       0   31        29       5       0     0     0     0       0     67
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

@@ -19,19 +19,19 @@
  * truncation:  no function is approximated; the method is of order 4 in the interval
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
- * hold as-written          0       0    0         0       0       0     0     0     0       0
- * hold shared              0       0    0         0       0       0     0     0     0       0
- * hold emitted             0       0    0         0       0       0     0     0     0       0
- * start_up as-written     264       0  181        46      12       0     0     0     0       0
- * start_up shared        221      34  165        58       3       0     0     0     0       0
- * start_up emitted       221      34  165        58       3       0     0     0     0       0
- * steady as-written       75       0   37        23       2       0     0     0     0       0
- * steady shared           74       1   37        23       1       0     0     0     0       0
- * steady emitted          74       1   37        23       1       0     0     0     0       0
- * dcm as-written           9       0    9         6       0       0     0     0     0       0
- * dcm shared               9       0    9         6       0       0     0     0     0       0
- * dcm emitted              9       0    9         6       0       0     0     0     0       0
+ * operations          multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * hold as-written            0       0    0         0       0       0     0     0     0       0
+ * hold shared                0       0    0         0       0       0     0     0     0       0
+ * hold emitted               0       0    0         0       0       0     0     0     0       0
+ * start_up as-written      264       0  181        46      12       0     0     0     0       0
+ * start_up shared          221      34  165        58       3       0     0     0     0       0
+ * start_up emitted         221      34  165        58       3       0     0     0     0       0
+ * steady as-written         75       0   37        23       2       0     0     0     0       0
+ * steady shared             74       1   37        23       1       0     0     0     0       0
+ * steady emitted            74       1   37        23       1       0     0     0     0       0
+ * dcm as-written             9       0    9         6       0       0     0     0     0       0
+ * dcm shared                 9       0    9         6       0       0     0     0     0       0
+ * dcm emitted                9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload

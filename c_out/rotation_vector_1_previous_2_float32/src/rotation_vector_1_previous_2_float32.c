@@ -19,16 +19,16 @@
  *              1e-12 (scalar), 3.7e-10 (vector), proved over the rationals
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
- * start_up as-written      30       0   18         7       0       0     0     0     0       0
- * start_up shared         29       1   18         7       0       0     0     0     0       0
- * start_up emitted        29       1   18         7       0       0     0     0     0       0
- * steady as-written       42       0   24        10       0       0     0     0     0       0
- * steady shared           41       1   24        10       0       0     0     0     0       0
- * steady emitted          41       1   24        10       0       0     0     0     0       0
- * dcm as-written           9       0    9         6       0       0     0     0     0       0
- * dcm shared               9       0    9         6       0       0     0     0     0       0
- * dcm emitted              9       0    9         6       0       0     0     0     0       0
+ * operations          multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * start_up as-written       30       0   18         7       0       0     0     0     0       0
+ * start_up shared           29       1   18         7       0       0     0     0     0       0
+ * start_up emitted          29       1   18         7       0       0     0     0     0       0
+ * steady as-written         42       0   24        10       0       0     0     0     0       0
+ * steady shared             41       1   24        10       0       0     0     0     0       0
+ * steady emitted            41       1   24        10       0       0     0     0     0       0
+ * dcm as-written             9       0    9         6       0       0     0     0     0       0
+ * dcm shared                 9       0    9         6       0       0     0     0     0       0
+ * dcm emitted                9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload

@@ -20,16 +20,16 @@
  *              4.3e-22 (scalar), 4.5e-20 (vector), proved over the rationals
  * rounding:    not bounded
  *
- * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
- * start_up as-written      34       0   22         7       0       0     0     0     0       0
- * start_up shared         33       1   22         7       0       0     0     0     0       0
- * start_up emitted        33       1   22         7       0       0     0     0     0       0
- * steady as-written       55       0   37        10       0       0     0     0     0       0
- * steady shared           54       1   37        10       0       0     0     0     0       0
- * steady emitted          54       1   37        10       0       0     0     0     0       0
- * dcm as-written           9       0    9         6       0       0     0     0     0       0
- * dcm shared               9       0    9         6       0       0     0     0     0       0
- * dcm emitted              9       0    9         6       0       0     0     0     0       0
+ * operations          multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select
+ * start_up as-written       34       0   22         7       0       0     0     0     0       0
+ * start_up shared           33       1   22         7       0       0     0     0     0       0
+ * start_up emitted          33       1   22         7       0       0     0     0     0       0
+ * steady as-written         55       0   37        10       0       0     0     0     0       0
+ * steady shared             54       1   37        10       0       0     0     0     0       0
+ * steady emitted            54       1   37        10       0       0     0     0     0       0
+ * dcm as-written             9       0    9         6       0       0     0     0     0       0
+ * dcm shared                 9       0    9         6       0       0     0     0     0       0
+ * dcm emitted                9       0    9         6       0       0     0     0     0       0
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload

@@ -87,11 +87,11 @@ void rotation_vector_3_coning_rins_float32_set_quaternion(
     /* q_square = |q|^2 */
     const float q_square_1 = q_nb_w * q_nb_w;
     const float q_square_2 = q_nb_x * q_nb_x;
-    const float q_square_3 = q_nb_y * q_nb_y;
-    const float q_square_4 = q_nb_z * q_nb_z;
-    const float q_square_5 = q_square_1 + q_square_2;
-    const float q_square_6 = q_square_5 + q_square_3;
-    const float q_square = q_square_6 + q_square_4;
+    const float q_square_3 = q_square_1 + q_square_2;
+    const float q_square_4 = q_nb_y * q_nb_y;
+    const float q_square_5 = q_square_3 + q_square_4;
+    const float q_square_6 = q_nb_z * q_nb_z;
+    const float q_square = q_square_5 + q_square_6;
 
     /* e = (1 - |q|^2)/2 */
     const float e_1 = 1.0F - q_square;
@@ -349,11 +349,11 @@ void rotation_vector_3_coning_rins_float32_set_correction(
 }
 
 void rotation_vector_3_coning_rins_float32_correct(
-    const rotation_vector_3_coning_rins_float32_state *state, float encoder, float angle[1],
+    const rotation_vector_3_coning_rins_float32_state *state, const float encoder[1], float angle[1],
     float tilt[2])
 {
     /* the encoder's angle and the harmonics, read once */
-    const float al = encoder;
+    const float al = encoder[0];
     const float azimuth_sine = state->azimuth_harmonic[0];
     const float azimuth_cosine = state->azimuth_harmonic[1];
     const float azimuth_offset = state->azimuth_harmonic[2];
@@ -449,7 +449,7 @@ void rotation_vector_3_coning_rins_float32_correct(
 }
 
 void rotation_vector_3_coning_rins_float32_body_quaternion(
-    const rotation_vector_3_coning_rins_float32_state *state, float angle, const float tilt[2],
+    const rotation_vector_3_coning_rins_float32_state *state, const float angle[1], const float tilt[2],
     float q_nb[4])
 {
     /* q, read once */
@@ -459,7 +459,7 @@ void rotation_vector_3_coning_rins_float32_body_quaternion(
     const float q_z = state->q[3];
 
     /* corrected angle and tilts */
-    const float al = angle;
+    const float al = angle[0];
     const float delta_x = tilt[0];
     const float delta_y = tilt[1];
 

@@ -162,7 +162,7 @@ void rotation_vector_3_coning_rins_float32_set_correction(
  * tilt: about x and y, at the corrected angle, rad; within 8.3e-09 rad of the exact function.
  */
 void rotation_vector_3_coning_rins_float32_correct(
-    const rotation_vector_3_coning_rins_float32_state *state, float encoder, float angle[1],
+    const rotation_vector_3_coning_rins_float32_state *state, const float encoder[1], float angle[1],
     float tilt[2]);
 
 /*
@@ -175,7 +175,7 @@ void rotation_vector_3_coning_rins_float32_correct(
  *   arguments and of the attitude that quaternion() gives.
  */
 void rotation_vector_3_coning_rins_float32_body_quaternion(
-    const rotation_vector_3_coning_rins_float32_state *state, float angle, const float tilt[2],
+    const rotation_vector_3_coning_rins_float32_state *state, const float angle[1], const float tilt[2],
     float q_nb[4]);
 
 /*

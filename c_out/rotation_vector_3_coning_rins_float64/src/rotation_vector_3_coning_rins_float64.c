@@ -87,11 +87,11 @@ void rotation_vector_3_coning_rins_float64_set_quaternion(
     /* q_square = |q|^2 */
     const double q_square_1 = q_nb_w * q_nb_w;
     const double q_square_2 = q_nb_x * q_nb_x;
-    const double q_square_3 = q_nb_y * q_nb_y;
-    const double q_square_4 = q_nb_z * q_nb_z;
-    const double q_square_5 = q_square_1 + q_square_2;
-    const double q_square_6 = q_square_5 + q_square_3;
-    const double q_square = q_square_6 + q_square_4;
+    const double q_square_3 = q_square_1 + q_square_2;
+    const double q_square_4 = q_nb_y * q_nb_y;
+    const double q_square_5 = q_square_3 + q_square_4;
+    const double q_square_6 = q_nb_z * q_nb_z;
+    const double q_square = q_square_5 + q_square_6;
 
     /* e = (1 - |q|^2)/2 */
     const double e_1 = 1.0 - q_square;
@@ -357,11 +357,11 @@ void rotation_vector_3_coning_rins_float64_set_correction(
 }
 
 void rotation_vector_3_coning_rins_float64_correct(
-    const rotation_vector_3_coning_rins_float64_state *state, double encoder, double angle[1],
+    const rotation_vector_3_coning_rins_float64_state *state, const double encoder[1], double angle[1],
     double tilt[2])
 {
     /* the encoder's angle and the harmonics, read once */
-    const double al = encoder;
+    const double al = encoder[0];
     const double azimuth_sine = state->azimuth_harmonic[0];
     const double azimuth_cosine = state->azimuth_harmonic[1];
     const double azimuth_offset = state->azimuth_harmonic[2];
@@ -474,7 +474,7 @@ void rotation_vector_3_coning_rins_float64_correct(
 }
 
 void rotation_vector_3_coning_rins_float64_body_quaternion(
-    const rotation_vector_3_coning_rins_float64_state *state, double angle, const double tilt[2],
+    const rotation_vector_3_coning_rins_float64_state *state, const double angle[1], const double tilt[2],
     double q_nb[4])
 {
     /* q, read once */
@@ -484,7 +484,7 @@ void rotation_vector_3_coning_rins_float64_body_quaternion(
     const double q_z = state->q[3];
 
     /* corrected angle and tilts */
-    const double al = angle;
+    const double al = angle[0];
     const double delta_x = tilt[0];
     const double delta_y = tilt[1];
 

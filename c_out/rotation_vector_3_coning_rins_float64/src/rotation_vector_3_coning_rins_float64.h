@@ -162,7 +162,7 @@ void rotation_vector_3_coning_rins_float64_set_correction(
  * tilt: about x and y, at the corrected angle, rad; within 1.6e-17 rad of the exact function.
  */
 void rotation_vector_3_coning_rins_float64_correct(
-    const rotation_vector_3_coning_rins_float64_state *state, double encoder, double angle[1],
+    const rotation_vector_3_coning_rins_float64_state *state, const double encoder[1], double angle[1],
     double tilt[2]);
 
 /*
@@ -175,7 +175,7 @@ void rotation_vector_3_coning_rins_float64_correct(
  *   arguments and of the attitude that quaternion() gives.
  */
 void rotation_vector_3_coning_rins_float64_body_quaternion(
-    const rotation_vector_3_coning_rins_float64_state *state, double angle, const double tilt[2],
+    const rotation_vector_3_coning_rins_float64_state *state, const double angle[1], const double tilt[2],
     double q_nb[4]);
 
 /*

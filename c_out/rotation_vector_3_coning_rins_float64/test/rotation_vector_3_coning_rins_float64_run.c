@@ -41,6 +41,15 @@ static int probe_float_plain(void)
     return probe_float_left(expression) || probe_float_left(subtracted) || probe_float_left(reversed);
 }
 
+/* The smallest normal number; half of it is not zero. */
+static volatile float probe_float_smallest = 1.17549435e-38F;
+
+static int probe_float_flushed(void)
+{
+    const volatile float halved = probe_float_smallest * 0.5F;
+    return !(halved > 0.0F);
+}
+
 /* 1 + e and 1 + 2e, its square when that is rounded; e = 2^-27. Volatile: the compiler computes nothing. */
 static volatile double probe_double[2] = {1.000000007450580596923828125, 1.00000001490116119384765625};
 
@@ -64,6 +73,15 @@ static int probe_double_plain(void)
     const double backward = d * d;
     const double reversed = e - backward;
     return probe_double_left(expression) || probe_double_left(subtracted) || probe_double_left(reversed);
+}
+
+/* The smallest normal number; half of it is not zero. */
+static volatile double probe_double_smallest = 2.2250738585072014e-308;
+
+static int probe_double_flushed(void)
+{
+    const volatile double halved = probe_double_smallest * 0.5;
+    return !(halved > 0.0);
 }
 
 static void probe_float_lanes(const float *restrict a, const float *restrict c, float *restrict o)
@@ -111,10 +129,13 @@ static int probe_paired(void)
     return narrow || probe_double_left(w[0]) || probe_double_left(w[1]);
 }
 
-/* Tells whether this build fuses products with sums: bit 0 = alone, bit 1 = in neighbouring lanes. */
+/* Tells whether this build fuses products with sums: bit 0 = alone, bit 1 = in neighbouring lanes; and, bit 2,
+ * whether it takes subnormal numbers for zero.
+ */
 int rotation_vector_3_coning_rins_float64_contracts(void)
 {
-    return ((probe_float_plain() || probe_double_plain()) ? 1 : 0) | (probe_paired() ? 2 : 0);
+    const int fused = ((probe_float_plain() || probe_double_plain()) ? 1 : 0) | (probe_paired() ? 2 : 0);
+    return fused | ((probe_float_flushed() || probe_double_flushed()) ? 4 : 0);
 }
 
 /* restart: 0 goes on, 1 is init, 2 is set_quaternion with the row's attitude, 3 is set_correction. */
@@ -123,7 +144,9 @@ void rotation_vector_3_coning_rins_float64_run(int32_t rows, const int32_t *rest
     const double *encoder, const double *correction,
     double *words, int32_t *contracted)
 {
-    rotation_vector_3_coning_rins_float64_state state = ROTATION_VECTOR_3_CONING_RINS_FLOAT64_STATE_INIT;
+    static const rotation_vector_3_coning_rins_float64_state initial =
+        ROTATION_VECTOR_3_CONING_RINS_FLOAT64_STATE_INIT;
+    rotation_vector_3_coning_rins_float64_state state = initial;
     for (int32_t row = 0; row < rows; ++row) {
         double *out = &words[42 * row];
         if (restart[row] == 1) {
@@ -153,10 +176,10 @@ void rotation_vector_3_coning_rins_float64_run(int32_t rows, const int32_t *rest
         rotation_vector_3_coning_rins_float64_dcm(&state, out);
         out += 9;
         double *turn = out;
-        rotation_vector_3_coning_rins_float64_correct(&state, encoder[row], turn, &turn[1]);
+        rotation_vector_3_coning_rins_float64_correct(&state, &encoder[row], turn, &turn[1]);
         out += 3;
         double *body = out;
-        rotation_vector_3_coning_rins_float64_body_quaternion(&state, turn[0], &turn[1], body);
+        rotation_vector_3_coning_rins_float64_body_quaternion(&state, turn, &turn[1], body);
         out += 4;
         rotation_vector_3_coning_rins_float64_body_dcm(body, out);
         out += 9;
