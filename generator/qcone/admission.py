@@ -24,9 +24,6 @@ def number_of(design: Design) -> Floating | Fixed:
             why = "whole counts become increments in integers, the residue carried"
             raise problem(design, "QC202", what, why, f"use {' or '.join(WIDTHS)}")
         return FLOATING[chosen.format]
-    if design.rins:
-        what = f'the table rins does not go with number.format = "{chosen.format}" in this version'
-        raise problem(design, "QC212", what, "the stage is lowered to floats alone", f"use {' or '.join(FLOATING)}")
     for key, given, other, why, hint in (
         ("form", design.form, "as-written", "the paper's form is written for real numbers", 'set form = "factored"'),
         ("loop", design.loop, "rolled", "every turn has formats of its own", 'set loop = "unrolled"'),

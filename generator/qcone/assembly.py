@@ -90,7 +90,8 @@ def in_fixed_point(
     renormalised = design.renormalise == "every"
     series = _series_error(algorithm, known, exponential)
     samples = _samples(design, algorithm, known)
-    return fixed_point.Declaration(inputs, samples, turn, whole, unlimited, renormalised, series)
+    bounded = stage.bounds(known.correction) if known.correction is not None else {}
+    return fixed_point.Declaration(inputs, samples, turn, whole, unlimited, bounded, renormalised, series)
 
 
 def _series_error(algorithm: Algorithm, known: Declaration, exponential: Exponential | None) -> Fraction | None:

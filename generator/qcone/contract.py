@@ -314,8 +314,7 @@ def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
             "starter waits."
         ],
     }
-    if isinstance(facts.number, Floating):
-        text |= stage_contract.of_routines(facts.number, facts.known, _angles(facts))
+    text |= stage_contract.of_routines(facts.number, facts.known, _angles(facts))
     if routine.name != "update":
         lines = text[routine.name]
     else:

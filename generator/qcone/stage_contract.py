@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from qcone.assembly import Declaration
 from qcone.design import Rins
+from qcone.formats.fixed import Fixed
 from qcone.formats.floating import Floating
 
 STAGE = "encoder angle and tilt of a rotating unit corrected, rins (10) to (16); the attitude kept is the sensors'"
@@ -23,6 +24,9 @@ the other 0.9 of sine and cosine add by their squares, the products by half a un
 two units: 7.1.
 """
 
+FIXED = 4
+"""How much larger the same errors are in fixed point, where an angle of 3 pi leaves sine and cosine two bits fewer."""
+
 
 def declared(rins: Rins, known: Declaration) -> str:
     """Say what is declared of a rotating unit."""
@@ -33,10 +37,10 @@ def declared(rins: Rins, known: Declaration) -> str:
     )
 
 
-def of_routines(number: Floating, known: Declaration, angles: Sequence[str]) -> dict[str, list[str]]:
+def of_routines(number: Floating | Fixed, known: Declaration, angles: Sequence[str]) -> dict[str, list[str]]:
     """Return the contract of each function of the stage; `angles` are the lines of the Euler angles."""
     largest = known.correction or Fraction(0)
-    unit = number.ulp(Fraction(1))
+    unit = number.ulp(Fraction(1)) * (FIXED if isinstance(number, Fixed) else 1)
     angle, tilt = (f"{float(units * unit * largest):.2g} rad" for units in (ANGLE_UNITS, TILT_UNITS))
     return {
         "set_correction": [
@@ -56,8 +60,8 @@ def of_routines(number: Floating, known: Declaration, angles: Sequence[str]) -> 
             "angle: rad, as correct() gives it.",
             "tilt: about x and y, rad, as correct() gives it.",
             "q_nb: w, x, y, z; body to navigation, C_b^n = C_s^n C_s'^s C_b^s'.",
-            f"Each component is within {QUATERNION_UNITS} units of the last place of 1 ({float(8 * unit):.2g}) of the "
-            "exact function of the arguments and of the attitude that quaternion() gives.",
+            f"Each component is within {float(QUATERNION_UNITS * unit):.2g} of the exact function of the arguments and "
+            "of the attitude that quaternion() gives.",
         ],
         "body_dcm": [
             "q_nb: as body_quaternion() gives it.",

@@ -41,6 +41,19 @@ KEPT = (
 )
 
 
+def bounds(largest: Fraction) -> dict[str, Fraction]:
+    """Return the largest size of every scalar of the stage, component by component: rad.
+
+    Of a harmonic sqrt(A^2 + B^2) + |C| <= largest. Seen one by one the terms may be larger: sines and cosines are
+    known to 1 and a little, those of the doubled angle, as products, to 2.
+    """
+    angle = LARGEST_ANGLE + 4 * largest
+    found = {"encoder": angle, "angle": angle, "tilt": 6 * largest}
+    for each in KEPT:
+        found |= {each.block: largest, each.of: largest}
+    return found
+
+
 def state(largest: Fraction) -> tuple[Block, ...]:
     """Return the blocks that keep the harmonics; `largest` bounds every coefficient, rad."""
     return tuple(Block(each.block, Shape.SCALAR, Role.STATE, 3, each.letters, largest) for each in KEPT)

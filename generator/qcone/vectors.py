@@ -140,9 +140,12 @@ def _with_unit(bundle: Bundle, vectors: Vectors, generator: np.random.Generator)
     corrected = generator.random(shape) < CORRECTED
     corrected[::2, 1:2] = True
     restart[corrected & (restart == GO_ON)] = CORRECT
-    dtype, largest = dtype_of(bundle.facts.number), float(bundle.facts.known.correction or 0)
+    fixed, largest = isinstance(bundle.facts.number, Fixed), float(bundle.facts.known.correction or 0)
+    dtype = np.float64 if fixed else dtype_of(bundle.facts.number)
     angles = _angles_of_encoder(generator, shape, dtype)
-    return replace(vectors, encoder=angles, correction=_harmonics(generator, shape, largest, dtype))
+    harmonics = _harmonics(generator, shape, largest, dtype)
+    words = to_words(bundle, "encoder", angles), to_words(bundle, "azimuth", harmonics)
+    return replace(vectors, encoder=words[0], correction=words[1])
 
 
 def _beyond(bundle: Bundle, words: NDArray[Any], generator: np.random.Generator) -> NDArray[Any]:

@@ -171,8 +171,8 @@ void rotation_vector_3_coning_rins_float32_correct(
  * angle: rad, as correct() gives it.
  * tilt: about x and y, rad, as correct() gives it.
  * q_nb: w, x, y, z; body to navigation, C_b^n = C_s^n C_s'^s C_b^s'.
- * Each component is within 8 units of the last place of 1 (9.5e-07) of the exact function of the
- *   arguments and of the attitude that quaternion() gives.
+ * Each component is within 9.5e-07 of the exact function of the arguments and of the attitude that
+ *   quaternion() gives.
  */
 void rotation_vector_3_coning_rins_float32_body_quaternion(
     const rotation_vector_3_coning_rins_float32_state *state, const float angle[1], const float tilt[2],

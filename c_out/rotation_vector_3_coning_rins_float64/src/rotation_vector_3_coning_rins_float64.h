@@ -171,8 +171,8 @@ void rotation_vector_3_coning_rins_float64_correct(
  * angle: rad, as correct() gives it.
  * tilt: about x and y, rad, as correct() gives it.
  * q_nb: w, x, y, z; body to navigation, C_b^n = C_s^n C_s'^s C_b^s'.
- * Each component is within 8 units of the last place of 1 (1.8e-15) of the exact function of the
- *   arguments and of the attitude that quaternion() gives.
+ * Each component is within 1.8e-15 of the exact function of the arguments and of the attitude that
+ *   quaternion() gives.
  */
 void rotation_vector_3_coning_rins_float64_body_quaternion(
     const rotation_vector_3_coning_rins_float64_state *state, const double angle[1], const double tilt[2],

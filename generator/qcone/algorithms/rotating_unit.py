@@ -7,8 +7,21 @@ coefficients: those of sine and cosine, and the offset.
 
 from __future__ import annotations
 
-from qcone.ir.real import F, Quaternion, Scalar, named, quaternion, sine_cosine, sine_cosine_of_small, step, vector
+from qcone.ir.real import (
+    F,
+    Quaternion,
+    Scalar,
+    named,
+    quaternion,
+    sine_cosine,
+    sine_cosine_of_small,
+    step,
+    vector,
+    within,
+)
 
+ABOVE_ONE = F(129, 128)
+"""What no component of an attitude exceeds, roundings included."""
 Harmonic = tuple[Scalar, Scalar, Scalar]
 
 
@@ -53,7 +66,8 @@ def body_attitude(q_ns: Quaternion, al: Scalar, delta_x: Scalar, delta_y: Scalar
         w * cosine - z * sine, vector(y * sine - x * cosine, -(y * cosine + x * sine), -(z * cosine + w * sine))
     )
     q_sb = step("q_sb = C_s'^s C_b^s' = [tilt_w, -tilt_x, ...] (x) [cos_half, 0, 0, -sin_half]", "rins (5)", turned)
-    return step("q_nb = q_ns (x) q_sb", "rins (10)", q_ns.times(q_sb))
+    w, x, y, z = (within(part, -ABOVE_ONE, ABOVE_ONE) for part in q_ns.times(q_sb))
+    return step("q_nb = q_ns (x) q_sb", "rins (10)", quaternion(w, vector(x, y, z)))
 
 
 def _half(axis: str, delta: Scalar) -> tuple[Scalar, Scalar]:

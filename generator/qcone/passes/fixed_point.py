@@ -76,6 +76,8 @@ class Declaration:
     """The largest whole count of a block of counts."""
     unlimited: frozenset[str] = frozenset()
     """Blocks that may hold any word: the routine limits them itself."""
+    bounded: Mapping[str, Fraction] = field(default_factory=dict, hash=False)
+    """The largest size of the scalars of further blocks."""
     renormalised: bool = True
     """Whether every update brings the attitude's length back."""
     series: Fraction | None = None
@@ -250,6 +252,8 @@ class _FixedPoint:
                 signals[name] = block.format
             elif name in WHOLE_BITS:
                 signals[name] = Signal(width, width - 1 - WHOLE_BITS[name])
+            elif name in self.declaration.bounded:
+                signals[name] = self.number.signal(self.declaration.bounded[name])
             elif name in self.declaration.inputs:
                 # One bit is left free, so that sums and differences of two samples are exact.
                 fine = self.number.signal(self.declaration.inputs[name])
@@ -276,6 +280,9 @@ class _FixedPoint:
                 declared[name] = Declared((-high, high), (low, high))
             elif name in ("rpy", "angles"):
                 declared[name] = Declared((-PI_ABOVE, PI_ABOVE))
+            elif name in self.declaration.bounded:
+                most = self.declaration.bounded[name]
+                declared[name] = Declared((-most, most))
             elif name in self.declaration.counts:
                 most = self.declaration.counts[name]
                 declared[name] = Declared((-most, most))
@@ -292,7 +299,8 @@ class _FixedPoint:
 
     def _settle(self, spread: Fraction) -> None:
         """Bound what the state keeps beside the attitude by what is written to it, to a fixpoint."""
-        known = (set(WHOLE_BITS) | set(self.declaration.inputs) | set(self.declaration.counts)) - {RESIDUAL}
+        stated = (WHOLE_BITS, self.declaration.inputs, self.declaration.counts, self.declaration.bounded)
+        known = {name for each in stated for name in each} - {RESIDUAL}
         open_blocks = [name for name in self._blocks() if name not in known]
         for _ in range(12):
             declared, changed = self._declared(spread), False
