@@ -12,6 +12,7 @@ from fractions import Fraction
 from typing import Any
 
 from qcone.errors import UsageError
+from qcone.ir.detail import Limits, Sum
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Advance, Call, Choose, Loop, Operation, Ready, Role, Routine, Statement, Write
 
@@ -142,6 +143,8 @@ def _value(
     numbers: Numbers,
 ) -> Any:
     args = [values[arg] for arg in operation.args]
+    if isinstance(operation.detail, Sum):
+        return _sum(operation.detail, values, numbers)
     match operation.op:
         case RealOp.CONSTANT:
             assert operation.constant is not None
@@ -166,6 +169,11 @@ def _value(
             return args[0] < args[1]
         case RealOp.SELECT:
             return args[1] if args[0] else args[2]
+        case RealOp.CARRY | RealOp.WIDE:
+            return args[0]
+        case RealOp.CLAMP if isinstance(operation.detail, Limits):
+            low, high = numbers.of(operation.detail.low), numbers.of(operation.detail.high)
+            return low if args[0] < low else high if high < args[0] else args[0]
         case RealOp.ARCTANGENT_2 if numbers.arctangent_2 is not None:
             return numbers.arctangent_2(*args)
     functions: dict[object, Callable[[Any], Any] | None] = {
@@ -178,3 +186,14 @@ def _value(
     if function is None:
         raise ArithmeticError(f"{operation.op.value} has no meaning in exact arithmetic")
     return function(args[0])
+
+
+def _sum(detail: Sum, values: Mapping[int, Any], numbers: Numbers) -> Any:
+    """Return a sum of terms, each an exact coefficient times the product of its values."""
+    total = numbers.of(Fraction(0))
+    for term in detail.terms:
+        product = numbers.of(term.coefficient)
+        for arg in term.args:
+            product = product * values[arg]
+        total = total + product
+    return total
