@@ -18,7 +18,8 @@ import mpmath
 import pytest
 
 from qcone.algorithms import attitude
-from qcone.assembly import assemble, declaration, writing_of
+from qcone.assembly import assemble, writing_of
+from qcone.declaration import declaration
 from qcone.design import Design
 from qcone.formats.floating import FLOATING
 from qcone.ir.evaluate import EXACT, Numbers, Outcome, evaluate

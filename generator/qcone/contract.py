@@ -8,14 +8,13 @@ from decimal import Decimal
 from fractions import Fraction
 
 from qcone import __version__, stage_contract
-from qcone.assembly import Declaration
 from qcone.backends.counts import Counts
 from qcone.backends.page import Macro
+from qcone.declaration import Declaration
 from qcone.design import Design
 from qcone.formats.fixed import Fixed
 from qcone.formats.floating import FLOAT64, Floating
 from qcone.ir.specification import Algorithm
-from qcone.ir.statement import Routine
 from qcone.passes.exponential import Exponential
 from qcone.passes.fixed_point import Proved
 from qcone.registry import caution_of
@@ -170,15 +169,15 @@ def _source(algorithm: Algorithm) -> str:
 def _range(facts: Facts) -> str:
     design, known = facts.design, facts.known
     text = (
-        f"|omega| <= {_decimal(design.imu.max_rate_dps)} deg/s ({_digits(known.rate)} rad/s), "
-        f"{_decimal(design.imu.update_hz)} updates/s; |dtheta| <= {_digits(known.increment)} rad"
+        f"|omega| <= {decimal(design.imu.max_rate_dps)} deg/s ({digits(known.rate)} rad/s), "
+        f"{decimal(design.imu.update_hz)} updates/s; |dtheta| <= {digits(known.increment)} rad"
     )
     if facts.exponential:
-        text += f"; |phi| <= {_digits(facts.exponential.phi_max)} rad"
+        text += f"; |phi| <= {digits(facts.exponential.phi_max)} rad"
     if facts.proved is not None and facts.algorithm.state != "euler":
         what = "| |q| - 1 |" if facts.algorithm.state == "quaternion" else "length of a row of C, less 1,"
-        text += f"; {what} <= {_digits(facts.proved.spread, 3)} {_how_long(facts)}, proved"
-    return text + f"; {_beyond(facts)}"
+        text += f"; {what} <= {digits(facts.proved.spread, 3)} {_how_long(facts)}, proved"
+    return text + f"; {beyond(facts)}"
 
 
 def _how_long(facts: Facts) -> str:
@@ -193,11 +192,11 @@ def rounding(facts: Facts) -> str:
     proved = facts.proved
     if proved is None or proved.rounding is None:
         return "not bounded"
-    text = f"one update is within {_digits(proved.rounding, 2)} of exact arithmetic, in the norm of the components"
+    text = f"one update is within {digits(proved.rounding, 2)} of exact arithmetic, in the norm of the components"
     if facts.design.number.accumulate == "compensated":
         text += ", what is carried included, which does not add up"
     if proved.growth is not None:
-        text += f"; it adds at most {_digits(proved.growth, 2)} to the length"
+        text += f"; it adds at most {digits(proved.growth, 2)} to the length"
     return f"{text}; proved"
 
 
@@ -209,12 +208,12 @@ def _words(facts: Facts) -> list[str]:
     return _item(
         "high words",
         f"{words.after} of {words.sums} rounded sums of products drop a whole word, {words.before} before formats were "
-        f"searched for that; of one update's errors in the first order it made {_digits(words.error_after, 2)} of "
-        f"{_digits(words.error_before, 2)}",
+        f"searched for that; of one update's errors in the first order it made {digits(words.error_after, 2)} of "
+        f"{digits(words.error_before, 2)}",
     )
 
 
-def _beyond(facts: Facts) -> str:
+def beyond(facts: Facts) -> str:
     """Say what happens to inputs beyond the declared range."""
     if isinstance(facts.number, Floating):
         return BEYOND
@@ -234,7 +233,7 @@ def truncation(facts: Facts) -> str:
     if chosen is None:
         made = facts.algorithm.truncation
         if made is not None:
-            scalar, vector = (_digits(each, 2) for each in made(facts.known.increment))
+            scalar, vector = (digits(each, 2) for each in made(facts.known.increment))
             return f"series of the algorithm's order in |phi|; error of r at most {scalar} (scalar), {vector} (vector)"
         functions = "no function is approximated"
         if facts.algorithm.state == "euler":
@@ -242,16 +241,17 @@ def truncation(facts: Facts) -> str:
         return f"{functions}; the method is of order {order} in the interval" if order else functions
     return (
         f"{chosen.kind} polynomials of degree {len(chosen.series.cosine)} (cos) and {len(chosen.series.sine)} (sin) in "
-        f"|phi|^2; error of r at most {_digits(chosen.scalar_error, 2)} (scalar), {_digits(chosen.vector_error, 2)} "
+        f"|phi|^2; error of r at most {digits(chosen.scalar_error, 2)} (scalar), {digits(chosen.vector_error, 2)} "
         "(vector), proved over the rationals"
     )
 
 
-def _digits(value: Fraction, digits: int = 5) -> str:
+def digits(value: Fraction, digits: int = 5) -> str:
+    """Return a number in so many significant digits."""
     return f"{float(value):.{digits}g}"
 
 
-def _decimal(value: Fraction) -> str:
+def decimal(value: Fraction) -> str:
     """Return a number as the decimal it was written as, where it is one."""
     digits = Decimal(value.numerator) / Decimal(value.denominator)
     return f"{digits.normalize():f}" if Fraction(digits) == value else f"{float(value):.17g}"
@@ -275,118 +275,3 @@ def macros(facts: Facts, initialiser: str, bits: tuple[tuple[str, int], ...] = (
         Macro(f"{name}_INTERVAL_S", interval, "Time of one update in seconds."),
         Macro(f"{name}_STATE_INIT", initialiser, "Initialiser of a state: what init() sets."),
     )
-
-
-def of_routine(routine: Routine, facts: Facts) -> tuple[str, ...]:
-    """Return the contract above a prototype: purpose, arguments with units and ranges, what is promised."""
-    ctype, n = facts.number.ctype, facts.algorithm.subsamples
-    rates = facts.design.input == "rate"
-    text: dict[str, list[str]] = {
-        "init": [
-            "The attitude is the identity; history and residual are empty.",
-            *(["The correction is zero."] if facts.design.rins else []),
-        ],
-        "set_quaternion": [
-            "q_nb: w, x, y, z, of unit length to within the format's rounding; body to navigation.",
-            "One Newton step normalises it: an error e of |q|^2 becomes 3/4 e^2. History and residual are cleared.",
-            *(["The newest rate is kept: start() need not be called again."] if rates else []),
-            *(["The correction is kept."] if facts.design.rins else []),
-        ],
-        "set_dcm": [
-            "c_nb: row major, orthonormal to within the format's rounding; v_n = C_nb v_b.",
-            "One Newton step orthonormalises two rows, the third is their cross product. History is cleared.",
-        ],
-        "set_euler": [
-            f"angles: roll, pitch, yaw, rad, each at most pi in size; convention {facts.design.euler}. "
-            "History is cleared."
-        ],
-        "start": ["omega: rad/s, sensor axes. To be called once before the first update."],
-        "renormalise": [
-            "To be called by the user now and then: a length 1 + e, |e| <= 1/2, becomes 1 within 3/2 e^2 + 1/2 |e|^3.",
-            _how_often(facts),
-        ],
-        "quaternion": [f"q_nb: w, x, y, z; body to navigation. |q_nb| = 1 {_norm(facts)}."],
-        "dcm": [f"c_nb: row major, v_n = C_nb v_b, {_matrix(facts)}."],
-        "euler": _angles(facts),
-        "error_estimate": ["e: Milne's estimate of the last step's error, components w, x, y, z of the quaternion."],
-        "ready": [
-            "1 once the attitude belongs to the time of the newest rate; 0 before the first update, and while the "
-            "starter waits."
-        ],
-    }
-    text |= stage_contract.of_routines(facts.number, facts.known, _angles(facts))
-    if routine.name != "update":
-        lines = text[routine.name]
-    else:
-        given, unit, bound = _given(facts)
-        lines = [
-            f"{given}: {n} x 3 values, {given}[3*k + axis], sub-sample k = 0 first; {unit}; sensor axes.",
-            f"Range: {bound}; {_beyond(facts)}.",
-            f"Truncation: {truncation(facts)}.",
-            f"Rounding: {rounding(facts)}.",
-        ]
-        if rates:
-            lines.insert(1, "The rate at the start of the interval is the last one of the update before, or start()'s.")
-        if facts.algorithm.previous:
-            lines.append(f"The first {facts.algorithm.previous} updates after a restart use no history.")
-        if any(phase.name == "hold" for phase in facts.algorithm.phases):
-            lines.append(
-                "After a restart the attitude is held for two updates and current from the third on: see ready()."
-            )
-    tail = ["Arguments must not overlap the state. A reader that interrupts an update may see a torn state."]
-    wrapped = [line for text_line in [*lines, *(tail if routine.name == "update" else [])] for line in _wrap(text_line)]
-    return (*_wrap(f"{routine.summary} Type of values: {ctype}."), "", *wrapped)
-
-
-def _how_often(facts: Facts) -> str:
-    if facts.proved is None or facts.proved.updates is None:
-        return "How often is not proven for this format: its rounding bound is not computed."
-    return f"To be called at least once in {facts.proved.updates} updates (renormalise_every), proved."
-
-
-def _wrap(text: str) -> list[str]:
-    return textwrap.wrap(text, WIDTH, subsequent_indent="  ")
-
-
-def _given(facts: Facts) -> tuple[str, str, str]:
-    """Return what an update is handed: its name, its unit, its range."""
-    design = facts.design
-    if design.input == "counts":
-        assert design.imu.quantum_dps is not None
-        unit = f"whole counts of {design.imu.quantum_dps} deg/s, the mean rate of each sub-sample"
-        less = " less the bias, by the calibration" * bool(design.imu.bias_dps or design.imu.calibration)
-        return "counts", unit, f"rate{less} at most {_decimal(design.imu.max_rate_dps)} deg/s in norm"
-    if design.input == "rate":
-        return "omega", "rad/s, the newest rate last", f"norm of each at most {_digits(facts.known.rate)}"
-    unit = "rad, the integral of the body rate over each sub-sample"
-    return "dtheta", unit, f"norm of each at most {_digits(facts.known.increment)}"
-
-
-def _norm(facts: Facts) -> str:
-    design, state = facts.design, facts.algorithm.state
-    renormalised = design.form == "factored" and design.renormalise == "every"
-    if state == "euler" or (renormalised and facts.exponential):
-        return "to within a few units of the last place"
-    if renormalised:
-        return "but for rounding and what the truncation of one update adds"
-    return "up to the drift of truncation and rounding, not bounded"
-
-
-def _matrix(facts: Facts) -> str:
-    if facts.algorithm.state == "dcm":
-        return "as it is kept"
-    return "of the attitude as quaternion() gives it"
-
-
-def _angles(facts: Facts) -> list[str]:
-    convention = facts.design.euler
-    if facts.algorithm.state == "euler":
-        return [
-            f"angles: roll, pitch, yaw, rad, convention {convention}, as they are kept: each in [-pi, pi]. "
-            "Past a pole the pitch goes on beyond pi/2."
-        ]
-    return [
-        f"rpy: roll, pitch, yaw, rad, convention {convention}; roll and yaw in [-pi, pi], pitch at most pi/2 in size.",
-        "The attitude of the three angles is within 8 units in the last place of pi of the quaternion's, poles "
-        "included; each angle within 4 such units over cos(pitch).",
-    ]

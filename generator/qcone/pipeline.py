@@ -16,10 +16,11 @@ from dataclasses import replace
 
 from qcone import stage_routines
 from qcone.admission import check_stages, number_of, problem
-from qcone.assembly import assemble, declaration, in_fixed_point, rotation_bound, writing_of
+from qcone.assembly import assemble, rotation_bound, writing_of
 from qcone.backends.counts import Counts, count
 from qcone.bundle import Bundle, Lowered
 from qcone.contract import Facts
+from qcone.declaration import declaration, in_fixed_point
 from qcone.design import Design
 from qcone.errors import CheckError, DesignError, Problem, UsageError
 from qcone.formats.fixed import Fixed
@@ -32,8 +33,8 @@ from qcone.ir.specification import Algorithm
 from qcone.ir.statement import Program, Routine
 from qcone.ir.writing import Writing
 from qcone.passes.compensate import compensate
+from qcone.passes.declared import Declaration as Declared
 from qcone.passes.exponential import Exponential, choose
-from qcone.passes.fixed_point import Declaration as Declared
 from qcone.passes.fixed_point import to_fixed
 from qcone.passes.fold import fold
 from qcone.passes.functions import choose_functions, choose_small_angle

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from qcone import contract, stage_routines
+from qcone import contract, routine_contract, stage_routines
 from qcone.backends import page as pages
-from qcone.backends.c_fixed import furniture
+from qcone.backends.c_furniture import furniture
 from qcone.backends.c_source import functions
 from qcone.backends.c_state import state_fields, state_initialiser, type_of
 from qcone.bundle import Bundle, Lowered
@@ -26,7 +26,7 @@ def emit(facts: Facts, written: Program, lowered: Lowered) -> Bundle:
             each.signature,
             each.body,
             each.internal,
-            () if each.internal else contract.of_routine(machine.routine(each.routine), facts),
+            () if each.internal else routine_contract.of_routine(machine.routine(each.routine), facts),
         )
         for each in functions(machine, number)
     )

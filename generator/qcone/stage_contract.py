@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
 
-from qcone.assembly import Declaration
+from qcone.declaration import Declaration
 from qcone.design import Rins
 from qcone.formats.fixed import Fixed
 from qcone.formats.floating import Floating

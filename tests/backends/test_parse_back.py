@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 import written
 
+from qcone.backends.c_operands import UnreadableError
 from qcone.backends.expected import differences
-from qcone.backends.parse_back import UnreadableError, read_functions
+from qcone.backends.parse_back import read_functions
 from qcone.bundle import Bundle
 from shipped import DESIGNS, shipped
 

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pycparser import CParser
 
+from qcone.backends.c_operands import affine
 from qcone.backends.parse_back import _expression as read_index
-from qcone.backends.parse_back import affine
 from qcone.ir.index import FIRST, Index
 
 SMALL = st.integers(-50, 50)

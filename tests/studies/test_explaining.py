@@ -9,7 +9,8 @@ from functools import cache
 
 import pytest
 
-from qcone.assembly import assemble, declaration
+from qcone.assembly import assemble
+from qcone.declaration import declaration
 from qcone.ir.evaluate import EXACT, evaluate
 from qcone.ir.writing import AS_WRITTEN
 from qcone.registry import algorithm_of

@@ -8,13 +8,22 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from qcone.backends import c_fixed
+from qcone.backends.c_signature import (
+    INDENT,
+    LINE,
+    components,
+    parameters,
+    result_array,
+    signature_of,
+    unused,
+    writes_state,
+)
 from qcone.backends.c_state import field, type_of
 from qcone.formats.fixed import Fixed, Signal
 from qcone.formats.floating import Floating
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import (
     Advance,
-    Block,
     Call,
     Choose,
     Loop,
@@ -35,8 +44,6 @@ SIGNS = {
     MachineOp.MULTIPLY: "*",
     MachineOp.DIVIDE: "/",
 }
-INDENT = "    "
-LINE = 105
 MOST_DENOMINATOR = 10**30
 INTERNAL = frozenset({"hold", "start_up", "steady"})
 """Routines that only `update` calls: static."""
@@ -73,11 +80,6 @@ def _callees(routine: Routine) -> Iterator[Routine]:
         yield callee
 
 
-def parameters(routine: Routine) -> tuple[Block, ...]:
-    """Return the array arguments of a routine's function, in order: inputs, then outputs."""
-    return (*routine.having(Role.INPUT), *routine.having(Role.OUTPUT))
-
-
 def _function(routine: Routine, program: Program, number: Floating | Fixed) -> Function:
     arguments = []
     if routine.having(Role.STATE):
@@ -88,7 +90,7 @@ def _function(routine: Routine, program: Program, number: Floating | Fixed) -> F
     name = f"{program.name}_{routine.name}"
     internal = routine.name in INTERNAL
     gives = "int" if any(isinstance(each, Ready) for each in routine.body) else "void"
-    signature = _signature(f"{'static ' if internal else ''}{gives} {name}", arguments)
+    signature = signature_of(f"{'static ' if internal else ''}{gives} {name}", arguments)
     return Function(routine.name, signature, tuple(_Printer(routine, program, number).lines()), internal)
 
 
@@ -96,54 +98,9 @@ def _scalar_function(routine: Routine, program: Program, number: Floating | Fixe
     """Print a callee: scalars in by value, results out through one array."""
     names = [f"const {number.ctype} {part}" for block in routine.having(Role.INPUT) for part in components(block)]
     size = sum(block.size for block in routine.having(Role.OUTPUT))
-    signature = _signature(f"static void {program.name}_{routine.name}", [*names, f"{number.ctype} result[{size}]"])
+    signature = signature_of(f"static void {program.name}_{routine.name}", [*names, f"{number.ctype} result[{size}]"])
     printer = _Printer(routine, program, number, scalar=True)
     return Function(routine.name, signature, tuple(printer.lines()), True)
-
-
-def _signature(start: str, arguments: Sequence[str]) -> str:
-    """Return a signature on one line, or with its arguments on lines of their own where it would be too long."""
-    given = ", ".join(arguments) or "void"
-    if len(start) + len(given) <= LINE:
-        return f"{start}({given})"
-    rows = [arguments[0]]
-    for argument in arguments[1:]:
-        if len(f"{INDENT}{rows[-1]}, {argument}") <= LINE:
-            rows[-1] += f", {argument}"
-        else:
-            rows.append(argument)
-    return f"{start}(\n{INDENT}" + f",\n{INDENT}".join(rows) + ")"
-
-
-def components(block: Block) -> list[str]:
-    """Return the names of a callee's scalar arguments."""
-    return [f"{block.name}_in{i}" for i in range(block.size)]
-
-
-def result_array(call: Call, routine: Routine) -> str:
-    """Return how the array is called that takes what a call gives: after its first result that is used."""
-    return f"{next(routine.names[result] for result in call.results if result in routine.names)}_result"
-
-
-def unused(routine: Routine, scalar: bool) -> list[str]:
-    """Return the input arguments of a routine's function that its body does not look at."""
-    read = [each.place for each in walk(routine.body) if isinstance(each, Operation) and each.place]
-    if any(isinstance(each, Choose) for each in routine.body):
-        return []
-    if scalar:
-        seen = {f"{place.block}_in{place.index.constant}" for place in read}
-        return [name for block in routine.having(Role.INPUT) for name in components(block) if name not in seen]
-    return [block.name for block in routine.having(Role.INPUT) if all(place.block != block.name for place in read)]
-
-
-def writes_state(routine: Routine) -> bool:
-    """Tell whether a routine changes the state."""
-    for statement in walk(routine.body):
-        if isinstance(statement, Advance | Choose):
-            return True
-        if isinstance(statement, Write) and routine.block(statement.place.block).role is Role.STATE:
-            return True
-    return False
 
 
 def literal(constant: Fraction, exact: Fraction | None, number: Floating | Fixed, signal: Signal | None = None) -> str:

@@ -5,24 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from qcone.backends.c_fixed import IntegerText, furniture
-from qcone.backends.c_source import (
-    components,
-    functions,
-    parameters,
-    result_array,
-    unused,
-)
+from qcone.backends.c_fixed import IntegerText
+from qcone.backends.c_furniture import furniture
+from qcone.backends.c_operands import UnreadableError, affine
+from qcone.backends.c_signature import components, parameters, result_array, unused
+from qcone.backends.c_source import functions
 from qcone.backends.c_state import field, state_fields, state_initialiser
-from qcone.backends.parse_back import (
-    Line,
-    UnreadableError,
-    affine,
-    inline_functions,
-    read_functions,
-    read_macros,
-    read_structure,
-)
+from qcone.backends.parse_back import Line, inline_functions, read_functions, read_macros, read_structure
 from qcone.formats.fixed import Fixed, Signal
 from qcone.formats.floating import Floating
 from qcone.ir.index import Index

@@ -7,22 +7,19 @@ be the routine's, operands in order, literals to the last bit, types and all.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import Any
 
 from pycparser import CParser, c_ast
 from pycparser.c_parser import ParseError
 
-from qcone.formats.floating import FLOATING
+from qcone.backends.c_operands import WORDS, UnreadableError, expression, operand
 
 OPERATORS = {"+": "add", "-": "subtract", "*": "multiply", "/": "divide", "<": "less"}
-WORDS = ("int16_t", "int32_t", "int64_t")
 TYPES = "typedef short int16_t; typedef int int32_t; typedef long long int64_t;\n"
 INLINE = re.compile(r"(?:/\*(?:(?!\*/).)*\*/\n)?static inline .*?\n}\n", re.DOTALL)
 """A small function and the comment above it."""
-NUMBERS = {each.ctype: each for each in FLOATING.values()}
 
 
 @dataclass(frozen=True)
@@ -38,10 +35,6 @@ class Line:
     def __str__(self) -> str:
         """Return the statement on one line, for messages."""
         return f"{self.ctype} {self.target} = {self.kind}({', '.join(self.operands)})".strip()
-
-
-class UnreadableError(Exception):
-    """The text holds something that no emitted routine contains."""
 
 
 def read_functions(header: str, source: str) -> dict[str, tuple[str, tuple[Line, ...]]]:
@@ -130,7 +123,7 @@ def declared(node: Any) -> str:
     kind, size, pointer = node.type, "", ""
     while not isinstance(kind, c_ast.TypeDecl):
         if isinstance(kind, c_ast.ArrayDecl):
-            size += f"[{_expression(kind.dim) if kind.dim is not None else ''}]"
+            size += f"[{expression(kind.dim) if kind.dim is not None else ''}]"
         elif isinstance(kind, c_ast.PtrDecl):
             pointer += "*"
         else:
@@ -148,10 +141,10 @@ def _lines(items: Sequence[Any]) -> Iterator[Line]:
             case c_ast.Assignment() if node.op == "=":
                 yield _written(node)
             case c_ast.FuncCall():
-                arguments = tuple(_operand(each) for each in node.args.exprs)
+                arguments = tuple(operand(each) for each in node.args.exprs)
                 yield Line("call", node.name.name, arguments)
             case c_ast.Cast() if getattr(node.to_type.type.type, "names", None) == ["void"]:
-                yield Line("unused", _operand(node.expr))
+                yield Line("unused", operand(node.expr))
             case c_ast.For():
                 yield _loop(node)
             case c_ast.Return():
@@ -164,7 +157,7 @@ def _lines(items: Sequence[Any]) -> Iterator[Line]:
 
 def _declaration(node: Any) -> Line:
     if isinstance(node.type, c_ast.ArrayDecl):
-        entries = tuple(_operand(each) for each in node.init.exprs) if node.init else ()
+        entries = tuple(operand(each) for each in node.init.exprs) if node.init else ()
         return Line("array", declared(node), entries)
     ctype = declared(node).removesuffix(node.name).strip()
     value = node.init
@@ -173,41 +166,39 @@ def _declaration(node: Any) -> Line:
     if isinstance(value, c_ast.BinaryOp):
         if value.op not in OPERATORS:
             raise UnreadableError(f"an operator that is not emitted: {value.op}")
-        return Line(OPERATORS[value.op], node.name, (_operand(value.left), _operand(value.right)), ctype)
+        return Line(OPERATORS[value.op], node.name, (operand(value.left), operand(value.right)), ctype)
     if isinstance(value, c_ast.FuncCall) and value.name.name != "INT64_C":
-        return Line(value.name.name, node.name, tuple(_operand(each) for each in value.args.exprs), ctype)
+        return Line(value.name.name, node.name, tuple(operand(each) for each in value.args.exprs), ctype)
     if isinstance(value, c_ast.TernaryOp):
-        return Line(
-            "select", node.name, (_condition(value.cond), _operand(value.iftrue), _operand(value.iffalse)), ctype
-        )
+        return Line("select", node.name, (_condition(value.cond), operand(value.iftrue), operand(value.iffalse)), ctype)
     if isinstance(value, c_ast.UnaryOp) and value.op == "-" and not isinstance(value.expr, c_ast.Constant):
-        return Line("negate", node.name, (_operand(value.expr),), ctype)
-    return Line("read", node.name, (_operand(value),), ctype)
+        return Line("negate", node.name, (operand(value.expr),), ctype)
+    return Line("read", node.name, (operand(value),), ctype)
 
 
 def _ready(node: Any) -> Line:
     """Read `return (counter >= limit) ? 1 : 0;`."""
     value = node.expr
     whole = isinstance(value, c_ast.TernaryOp) and isinstance(value.cond, c_ast.BinaryOp) and value.cond.op == ">="
-    if whole and (_operand(value.iftrue), _operand(value.iffalse)) == ("1", "0"):
-        return Line("ready", _operand(value.cond.left), (_operand(value.cond.right),))
+    if whole and (operand(value.iftrue), operand(value.iffalse)) == ("1", "0"):
+        return Line("ready", operand(value.cond.left), (operand(value.cond.right),))
     raise UnreadableError("a return that is not emitted")
 
 
 def _condition(node: Any) -> str:
     """Read `name != 0`."""
-    if isinstance(node, c_ast.BinaryOp) and node.op == "!=" and _operand(node.right) == "0":
-        return _operand(node.left)
+    if isinstance(node, c_ast.BinaryOp) and node.op == "!=" and operand(node.right) == "0":
+        return operand(node.left)
     raise UnreadableError("a condition that is not emitted")
 
 
 def _written(node: Any) -> Line:
-    target = _operand(node.lvalue)
+    target = operand(node.lvalue)
     if isinstance(node.rvalue, c_ast.BinaryOp):
-        if _operand(node.rvalue.left) == target and node.rvalue.op == "+" and _operand(node.rvalue.right) == "1":
+        if operand(node.rvalue.left) == target and node.rvalue.op == "+" and operand(node.rvalue.right) == "1":
             return Line("advance", target)
         raise UnreadableError(f"a write of more than one value: {target}")
-    return Line("write", target, (_operand(node.rvalue),))
+    return Line("write", target, (operand(node.rvalue),))
 
 
 def _loop(node: Any) -> Line:
@@ -216,98 +207,24 @@ def _loop(node: Any) -> Line:
             pass
         case _:
             raise UnreadableError("a loop that is not emitted")
-    same = _operand(node.cond.left) == _operand(node.next.expr) == counter.name
+    same = operand(node.cond.left) == operand(node.next.expr) == counter.name
     if not same or declared(counter) != f"int32_t {counter.name}":
         raise UnreadableError(f"a loop over {counter.name} that is not emitted")
-    last = _expression(node.cond.right)
+    last = expression(node.cond.right)
     body = tuple(_lines(node.stmt.block_items or ()))
-    return Line("loop", counter.name, (_expression(counter.init), last), "int32_t", body)
+    return Line("loop", counter.name, (expression(counter.init), last), "int32_t", body)
 
 
 def _choice(node: Any) -> Line:
     """Read if (counter < limit) { f(..); } else ... as one line with a call for each case."""
     calls: list[Line] = []
     operands: list[str] = []
-    target = _operand(node.cond.left)
+    target = operand(node.cond.left)
     while isinstance(node, c_ast.If):
-        if node.cond.op != "<" or _operand(node.cond.left) != target:
+        if node.cond.op != "<" or operand(node.cond.left) != target:
             raise UnreadableError("a condition that is not emitted")
-        operands.append(_operand(node.cond.right))
+        operands.append(operand(node.cond.right))
         calls.extend(_lines(node.iftrue.block_items))
         node = node.iffalse
     calls.extend(_lines(node.block_items))
     return Line("choose", target, tuple(operands), body=tuple(calls))
-
-
-def _operand(node: Any) -> str:
-    """Return an operand: a name, a component, or a literal as its C type and exact value."""
-    match node:
-        case c_ast.ID():
-            return str(node.name)
-        case c_ast.Constant():
-            return _literal(node)
-        case c_ast.UnaryOp() if node.op == "-" and isinstance(node.expr, c_ast.Constant):
-            return "-" + _literal(node.expr)
-        case c_ast.ArrayRef():
-            return f"{_operand(node.name)}[{_expression(node.subscript)}]"
-        case c_ast.Cast() if getattr(node.to_type.type.type, "names", [""])[0] in WORDS:
-            return f"({node.to_type.type.type.names[0]}){_operand(node.expr)}"
-        case c_ast.FuncCall() if node.name.name == "INT64_C":
-            return f"int64_t {_whole(node.args.exprs)}"
-        case c_ast.StructRef() if node.type == "->":
-            return f"{_operand(node.name)}->{node.field.name}"
-    raise UnreadableError(f"an operand that is not emitted: {type(node).__name__}")
-
-
-def _whole(arguments: Sequence[Any]) -> int:
-    """Return the number inside INT64_C(..)."""
-    (node,) = arguments
-    if isinstance(node, c_ast.UnaryOp) and node.op == "-":
-        return -int(node.expr.value)
-    return int(node.value)
-
-
-def _literal(node: Any) -> str:
-    text = str(node.value)
-    if node.type == "int":
-        return text
-    number = NUMBERS.get(node.type)
-    if number is None:
-        raise UnreadableError(f"a literal of type {node.type}: {text}")
-    return f"{node.type} {number.round(Fraction(text.rstrip('fF')))}"
-
-
-def _expression(node: Any) -> str:
-    """Return an index expression, canonical: constants and sums of multiples of counters."""
-    terms: dict[str, int] = {}
-    _collect(node, 1, terms)
-    return affine(terms)
-
-
-def affine(terms: Mapping[str, int]) -> str:
-    """Return `{'n': 3, '': -1}` as a canonical text, the constant under the empty name."""
-    return (
-        " + ".join(f"{factor}*{name}" if name else str(factor) for name, factor in sorted(terms.items()) if factor)
-        or "0"
-    )
-
-
-def _collect(node: Any, factor: int, terms: dict[str, int]) -> None:
-    match node:
-        case c_ast.Constant() if node.type == "int":
-            terms[""] = terms.get("", 0) + factor * int(node.value)
-        case c_ast.ID():
-            terms[node.name] = terms.get(node.name, 0) + factor
-        case c_ast.UnaryOp() if node.op == "-":
-            _collect(node.expr, -factor, terms)
-        case c_ast.BinaryOp() if node.op in "+-":
-            _collect(node.left, factor, terms)
-            _collect(node.right, factor if node.op == "+" else -factor, terms)
-        case c_ast.BinaryOp() if node.op == "*":
-            scale: dict[str, int] = {}
-            _collect(node.left, factor, scale)
-            if set(scale) - {""}:
-                raise UnreadableError("an index that is not affine")
-            _collect(node.right, scale.get("", 0), terms)
-        case _:
-            raise UnreadableError(f"an index that is not emitted: {type(node).__name__}")

@@ -7,6 +7,7 @@ from enum import Enum
 
 from qcone.errors import QconeError, UsageError
 from qcone.ir import machine, operations
+from qcone.ir.detail import Sum
 from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
@@ -112,8 +113,9 @@ class _Checker:
         op = statement.op
         if not isinstance(op, self.language):
             self._fail(statement, f"{op} is not of the language {self.language.__name__}")
-        if ARITY[op] is not None and len(statement.args) != ARITY[op]:
-            self._fail(statement, f"{op.value} takes {ARITY[op]} operands, not {len(statement.args)}")
+        takes = None if isinstance(statement.detail, Sum) else ARITY[op]
+        if takes is not None and len(statement.args) != takes:
+            self._fail(statement, f"{op.value} takes {takes} operands, not {len(statement.args)}")
         self._use(statement, statement.args, known)
         if (statement.constant is not None) != (op in (RealOp.CONSTANT, MachineOp.LITERAL)):
             self._fail(statement, "a constant, and nothing else, holds a number")

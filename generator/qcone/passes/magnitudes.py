@@ -8,18 +8,15 @@ their differences in time, which a declared angular acceleration and jerk bound.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
-from math import isqrt
 
 from qcone.ir.detail import Limits, Sum, Term
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Group, Operation, Routine
-
-Interval = tuple[Fraction, Fraction]
-ZERO = Fraction(0)
-BITS = 40
-"""Bounds are rounded outwards to so many bits: exact fractions would grow with every product."""
+from qcone.passes.intervals import ZERO, Interval, outward, quotient, root_above, times
+from qcone.passes.lengths import norm_of
+from qcone.passes.samples import Forms, Samples
 
 
 @dataclass(frozen=True)
@@ -28,21 +25,6 @@ class Declared:
 
     interval: Interval
     norm: Interval | None = None
-
-
-@dataclass(frozen=True)
-class Samples:
-    """Samples in time: how far apart neighbours and second differences are at most, and where components lie.
-
-    `at` gives the instant, counted in samples, of a component; components of one axis are told apart by it.
-    """
-
-    largest: Fraction
-    first: Fraction | None
-    second: Fraction | None
-    at: Mapping[tuple[str, int], tuple[int, int]] = field(hash=False)
-    """(axis, instant) by (block, component)."""
-    lsb: Fraction = ZERO
 
 
 class Magnitudes:
@@ -65,13 +47,13 @@ class Magnitudes:
         """
         self.limits = limits or {}
         self.clamped: set[int] = set()
-        self.routine, self.declared, self.samples = routine, declared, samples
+        self.routine, self.declared = routine, declared
         self.errors = errors or {}
         turned = {group.operands[0] for group in routine.groups if group.kind == "exp"}
         self._turns = {number: turn * Fraction(1025, 1024) for number in turned} if turn is not None else {}
         self.values: dict[int, Interval] = {}
         self._raw: dict[int, Interval] = {}
-        self._forms: dict[int, tuple[dict[tuple[str, int], Fraction], Fraction]] = {}
+        self._forms = Forms(samples)
         self._rules: dict[int, Interval | None] = {}
         self._norms: dict[int, Interval | None] = {}
         self._holding: dict[int, list[int]] = {}
@@ -93,8 +75,8 @@ class Magnitudes:
 
     def _bound(self, operation: Operation) -> None:
         result = operation.result
-        self._note_form(operation)
         error = self.errors.get(result, ZERO)
+        self._forms.note(operation, error)
         low, high = self._operation(operation)
         low, high = low - error, high + error
         if operation.op is RealOp.CLAMP and isinstance(operation.detail, Limits):
@@ -130,9 +112,8 @@ class Magnitudes:
             case RealOp.SUM | RealOp.WIDE:
                 assert isinstance(operation.detail, Sum)
                 total = self._sum(operation.detail.terms)
-                form = self._forms.get(operation.result)
-                if form is not None:
-                    most = self._form_bound(*form)
+                most = self._forms.bound(operation.result)
+                if most is not None:
                     total = (max(total[0], -most), min(total[1], most))
                 return total
             case RealOp.SELECT:
@@ -142,7 +123,7 @@ class Magnitudes:
             case RealOp.CLAMP:
                 return args[0]
             case RealOp.DIVIDE:
-                return _quotient(args[0], args[1])
+                return quotient(args[0], args[1])
         raise AssertionError(f"{operation.op} is not of a routine of sums")
 
     def _sum(self, terms: tuple[Term, ...]) -> Interval:
@@ -162,7 +143,7 @@ class Magnitudes:
                 most = max(a[0] * a[0], a[1] * a[1])
                 a = (ZERO if a[0] <= 0 <= a[1] else min(a[0] * a[0], a[1] * a[1]), most)
             else:
-                a = _times(a, self.values[term.args[1]])
+                a = times(a, self.values[term.args[1]])
                 together = self._together(*term.args)
                 if together is not None:
                     a = (max(a[0], -together), min(a[1], together))
@@ -218,29 +199,11 @@ class Magnitudes:
                 else:
                     most = root_above(sum((max(-a, b) ** 2 for a, b in own), ZERO))
                     known = (ZERO, most) if known is None else (known[0], min(known[1], most))
-            together = self._one_form(group.values)
+            together = self._forms.norm(group.values)
             if together is not None:
-                most = self._form_bound(*together)
-                known = (ZERO, most) if known is None else (min(known[0], most), min(known[1], most))
+                known = (ZERO, together) if known is None else (min(known[0], together), min(known[1], together))
             self._norms[number] = known
         return self._norms[number]
-
-    def _one_form(self, values: tuple[int, ...]) -> tuple[dict[tuple[str, int], Fraction], Fraction] | None:
-        """Return the weighted sum of sample vectors that three components are; None where they are none together.
-
-        What is declared of samples and their differences are norms, so one bound holds for the vector.
-        """
-        forms = [self._forms.get(value) for value in values]
-        if len(values) != 3 or self.samples is None or any(form is None for form in forms):
-            return None
-        at = self.samples.at
-        rows = [{(key[0], at[key][1]): abs(factor) for key, factor in form[0].items()} for form in forms if form]
-        axes = {at[key][0] for form in forms if form for key in form[0]}
-        if rows[0] != rows[1] or rows[0] != rows[2] or len(axes) != 3:
-            return None
-        first = forms[0]
-        assert first is not None
-        return first[0], 2 * max(form[1] for form in forms if form)
 
     def _rules_together(self, group: Group) -> Interval | None:
         """Return what all records of the same values say of them."""
@@ -305,168 +268,10 @@ class Magnitudes:
             return None
         known_operands = [each for each in operands[:3] if each is not None]
         sizes = [len(self.routine.groups[operand].values) for operand in group.operands]
-        bound = _norm_of(group, single, known_operands, sizes)
+        bound = norm_of(group, single, known_operands, sizes)
         if bound is None or group.kind != "rotated":
             return bound
         # q and r are exact in the rule; what is rounded on the way to the new attitude stands in the other operands,
         # and an error there moves it by at most |q| <= 2 times itself.
         slop = 2 * sum((self._slop(self.routine.groups[operand]) for operand in group.operands[3:]), ZERO)
         return (max(ZERO, bound[0] - slop), bound[1] + slop)
-
-    # -- weighted sums of samples ---------------------------------------------------------------------
-
-    def _note_form(self, operation: Operation) -> None:
-        if self.samples is None:
-            return
-        if operation.op is RealOp.READ and operation.place is not None:
-            key = (operation.place.block, operation.place.index.constant)
-            if key in self.samples.at:
-                self._forms[operation.result] = ({key: Fraction(1)}, ZERO)
-            return
-        if operation.op not in (RealOp.SUM, RealOp.WIDE) or not isinstance(operation.detail, Sum):
-            return
-        total: dict[tuple[str, int], Fraction] = {}
-        error = self.errors.get(operation.result, ZERO)
-        for term in operation.detail.terms:
-            form = self._forms.get(term.args[0]) if len(term.args) == 1 else None
-            if form is None:
-                return
-            for key, factor in form[0].items():
-                total[key] = total.get(key, ZERO) + term.coefficient * factor
-            error += abs(term.coefficient) * form[1]
-        if len({self.samples.at[key][0] for key in total}) == 1:
-            self._forms[operation.result] = (total, error)
-
-    def _form_bound(self, form: Mapping[tuple[str, int], Fraction], error: Fraction) -> Fraction:
-        """Bound sum c_i x_i by the samples, by their first and by their second differences (Abel's summation)."""
-        assert self.samples is not None
-        largest, first, second = self.samples.largest, self.samples.first, self.samples.second
-        instants = [self.samples.at[key][1] for key in form]
-        row = [ZERO] * (max(instants) - min(instants) + 1)
-        for key, factor in form.items():
-            row[self.samples.at[key][1] - min(instants)] += factor
-        size = sum((abs(each) for each in row), ZERO)
-        bounds = [size * largest]
-        if first is not None:
-            total, partial = _partial(row)
-            bounds.append(abs(total) * largest + sum((abs(each) for each in partial), ZERO) * first)
-            if second is not None and partial:
-                inner, twice = _partial(partial)
-                rest = sum((abs(each) for each in twice), ZERO) * second
-                bounds.append(abs(total) * largest + abs(inner) * first + rest)
-        return min(bounds) + size * self.samples.lsb + error
-
-
-def _partial(row: list[Fraction]) -> tuple[Fraction, list[Fraction]]:
-    """Return the sum of a row, and its partial sums but the last: sum c_i x_i = C x_last - sum C_i (x_i+1 - x_i)."""
-    sums, total = [], ZERO
-    for each in row:
-        total += each
-        sums.append(total)
-    return total, sums[:-1]
-
-
-def _norm_of(group: Group, single: bool, operands: list[Interval], sizes: list[int]) -> Interval | None:
-    """Return the bound of a group from those of its operands."""
-    first, last = operands[0], operands[-1]
-    match group.kind:
-        case "sum" | "difference" if len(operands) == 2:
-            if single:
-                return _plus(first, last if group.kind == "sum" else (-last[1], -last[0]))
-            return (max(ZERO, first[0] - last[1], last[0] - first[1]), first[1] + last[1])
-        case "scale" if group.factor is not None:
-            if single:
-                return _times((group.factor, group.factor), first)
-            return (abs(group.factor) * first[0], abs(group.factor) * first[1])
-        case "cross":
-            return (ZERO, first[1] * last[1])
-        case "dot":
-            if group.operands[0] == group.operands[1]:
-                return (first[0] * first[0], first[1] * first[1])
-            return (-first[1] * last[1], first[1] * last[1])
-        case "product":
-            if single:
-                return _times(first, last)
-            ends = [max(-a, b) if size == 1 else b for (a, b), size in zip(operands, sizes, strict=True)]
-            low = first[0] * last[0] if 1 not in sizes else ZERO
-            return (low, ends[0] * ends[1])
-        case "part":
-            most = max(-first[0], first[1])
-            return (-most, most) if single else (ZERO, most)
-        case "rotated":
-            return _rotated(operands[:3], renormalised=bool(group.factor))
-        case "row_renormalised" if first[1] ** 2 > Fraction(3, 2):
-            return None  # |a|^2 <= 2 (1 + e_b) is not known to hold
-        case "renormalised" | "row_renormalised":
-            low, high = _length_after(first, ZERO, ZERO) if group.factor else first
-            change = last[1] if len(operands) > 1 else ZERO
-            low = ZERO if group.kind == "row_renormalised" else max(ZERO, low - change)
-            return (low, high + change)
-        case "row":
-            return first
-        case "matrix":  # of a quaternion: 1 - 2 (y^2 + z^2), 2 (x y - w z) and so on, and the products' roundings
-            return (ZERO, max(Fraction(1), 2 * first[1] * first[1] - 1) + Fraction(1, 2**8))
-    return None
-
-
-def _rotated(operands: list[Interval], renormalised: bool) -> Interval:
-    """Bound |q (x) [1 + u + e, v]|, e = (1 - |q|^2)/2: |q|^2 ((1 + u + e)^2 + |v|^2)."""
-    length, u, v = operands
-    if not renormalised:
-        low, high = length[0] * (1 + u[0]), length[1] * (1 + u[1])
-    else:
-        low, high = _length_after(length, u[0], u[1])
-    across = length[1] * v[1]
-    return (max(ZERO, low), root_above(high * high + across * across))
-
-
-def _length_after(length: Interval, u_low: Fraction, u_high: Fraction) -> Interval:
-    """Return the range of n (1 + u + (1 - n^2)/2) over the range of the length n: its maximum is at n^2 = 1 + 2u/3."""
-
-    def at(n: Fraction, u: Fraction) -> Fraction:
-        return n * (1 + u + (1 - n * n) / 2)
-
-    top = max(at(length[0], u_high), at(length[1], u_high))
-    square = 1 + 2 * u_high / 3
-    if square > 0 and length[0] ** 2 <= square <= length[1] ** 2:
-        top = max(top, root_above(square) * square)
-    return min(at(length[0], u_low), at(length[1], u_low)), top
-
-
-def _plus(a: Interval, b: Interval) -> Interval:
-    return (a[0] + b[0], a[1] + b[1])
-
-
-def _times(a: Interval, b: Interval) -> Interval:
-    products = [x * y for x in a for y in b]
-    return (min(products), max(products))
-
-
-def _quotient(a: Interval, b: Interval) -> Interval:
-    if b[0] <= 0 <= b[1]:
-        raise ZeroDivisionError
-    return _times(a, (1 / b[1], 1 / b[0]))
-
-
-def root_above(square: Fraction) -> Fraction:
-    """Return a rational not below the square root, within 2^-60 of it, relatively."""
-    if not square:
-        return ZERO
-    shift = max(0, 124 - (square.numerator.bit_length() - square.denominator.bit_length()))
-    shift += shift % 2
-    scaled = -(-square.numerator * (1 << shift) // square.denominator)
-    return Fraction(isqrt(scaled) + 1, 1 << (shift // 2))
-
-
-def outward(interval: Interval) -> Interval:
-    """Round the ends outwards to `BITS` bits."""
-    low, high = interval
-    return (-_up(-low), _up(high))
-
-
-def _up(value: Fraction) -> Fraction:
-    if not value:
-        return value
-    exponent = abs(value.numerator).bit_length() - value.denominator.bit_length() - BITS
-    scale = Fraction(2) ** exponent
-    return -(-value / scale).__floor__() * scale

@@ -17,7 +17,8 @@ from qcone.ir.statement import Operation, Place, Routine, Statement, Write
 from qcone.passes.choices import Choices, Formats, UnfitError, nearest
 from qcone.passes.fit import fit
 from qcone.passes.fuse import is_power_of_two
-from qcone.passes.magnitudes import Declared, Magnitudes, Samples
+from qcone.passes.magnitudes import Declared, Magnitudes
+from qcone.passes.samples import Samples
 
 ROUNDS = 200
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from qcone import verify
 from qcone.backends.bittrue import dtype_of
+from qcone.draws import HARMONICS
 from qcone.errors import UsageError
 from qcone.reference.quaternion import Array
 from qcone.stage_routines import BODY, LARGEST_ANGLE
@@ -16,7 +17,7 @@ from qcone.studies.encoder_correction import Harmonic
 from qcone.studies.encoder_log import EncoderLog, check_columns
 from qcone.studies.replaying import outputs_of
 from qcone.studies.simulating import compiled, options
-from qcone.vectors import CORRECT, HARMONICS, SET, Vectors, in_form
+from qcone.vectors import CORRECT, SET, Vectors, in_form
 
 ZERO = Harmonic(0.0, 0.0, 0.0, 1, 0.0)
 
