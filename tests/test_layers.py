@@ -21,7 +21,7 @@ LAYERS: tuple[frozenset[str], ...] = (
         {
             *("admission", "assembly", "bundle", "contract", "cost", "on_avr", "on_board", "on_target", "outcomes"),
             *("pipeline", "printing", "registry", "sensor", "stage_contract", "stage_routines", "state_routines"),
-            *("stepwise", "unit_words", "vectors", "verify", "words"),
+            *("stepwise", "unit_vectors", "unit_words", "vectors", "verify", "words"),
         }
     ),
     frozenset({"studies", "reports"}),

@@ -21,6 +21,7 @@ from qcone.formats.fixed import Fixed
 from qcone.formats.floating import Floating
 from qcone.ir.statement import Block, Role
 from qcone.passes.magnitudes import Samples
+from qcone.unit_vectors import HARMONICS, angles_of_encoder, harmonics
 from qcone.words import to_increments, to_words
 
 GO_ON, INIT, SET, CORRECT = 0, 1, 2, 3
@@ -29,8 +30,8 @@ SINGLE_STEP_LANES = 8
 CHAINED_LANES = 32
 SUBNORMAL_ROWS = 8
 """Lanes that restart on every row; lanes that never do; rows of a chain that are subnormal throughout."""
-HARMONICS, CORRECTED = 9, 0.05
-"""Coefficients of a rotating unit; how often they are set anew."""
+CORRECTED = 0.05
+"""How often the harmonics of a rotating unit are set anew."""
 
 
 @dataclass(frozen=True)
@@ -142,10 +143,9 @@ def _with_unit(bundle: Bundle, vectors: Vectors, generator: np.random.Generator)
     restart[corrected & (restart == GO_ON)] = CORRECT
     fixed, largest = isinstance(bundle.facts.number, Fixed), float(bundle.facts.known.correction or 0)
     dtype = np.float64 if fixed else dtype_of(bundle.facts.number)
-    angles = _angles_of_encoder(generator, shape, dtype)
-    harmonics = _harmonics(generator, shape, largest, dtype)
-    words = to_words(bundle, "encoder", angles), to_words(bundle, "azimuth", harmonics)
-    return replace(vectors, encoder=words[0], correction=words[1])
+    angles = to_words(bundle, "encoder", angles_of_encoder(generator, shape, dtype))
+    correction = to_words(bundle, "azimuth", harmonics(generator, shape, largest, dtype))
+    return replace(vectors, encoder=angles, correction=correction)
 
 
 def _beyond(bundle: Bundle, words: NDArray[Any], generator: np.random.Generator) -> NDArray[Any]:
@@ -254,37 +254,6 @@ def _angles(w: NDArray[Any], x: NDArray[Any], y: NDArray[Any], z: NDArray[Any], 
     up, down = np.hypot(w + b, z - a), np.hypot(w - b, z + a)
     pitch = (2 * np.arctan2(up, down) - np.pi / 2) * (1 if convention == "zyx" else -1)
     return np.stack([half_sum - half_difference, pitch, half_sum + half_difference], axis=-1)
-
-
-def _angles_of_encoder(generator: np.random.Generator, shape: tuple[int, int], dtype: Any) -> NDArray[Any]:
-    """Return angles of at most 3 pi in size: any, multiples of pi/4 and their neighbours, both zeros, tiny ones."""
-    whole = np.pi / 4 * generator.integers(-12, 13, shape)
-    angles = generator.uniform(-3 * np.pi, 3 * np.pi, shape).astype(dtype)
-    kind, info = generator.random(shape), np.finfo(dtype)
-    rounded = whole.astype(dtype)
-    for low, values in (
-        (0.5, rounded),
-        (0.65, np.nextafter(rounded, dtype(0))),
-        (0.75, np.nextafter(rounded, dtype(4 * np.pi)) * (np.abs(whole) < 3 * np.pi)),
-        (0.8, dtype(0.0) * np.sign(angles)),
-        (0.85, np.copysign(dtype(3 * np.pi), angles)),
-        (0.9, angles * dtype(2.0**-30)),
-        (0.95, np.copysign(dtype(info.tiny), angles)),
-        (0.98, np.copysign(info.smallest_subnormal, angles)),
-    ):
-        angles = np.where(kind >= low, values, angles)
-    return angles.astype(dtype)
-
-
-def _harmonics(generator: np.random.Generator, shape: tuple[int, int], largest: float, dtype: Any) -> NDArray[Any]:
-    """Return three harmonics (..., 9), of each sqrt(A^2 + B^2) + |C| up to the largest correction in rad, or zero."""
-    phase = generator.uniform(-np.pi, np.pi, (*shape, 3))
-    size = largest * np.where(generator.random((*shape, 3)) < 0.3, 1.0, generator.random((*shape, 3)))
-    offset = size * generator.choice([-1.0, 0.0, 1.0, 0.3], (*shape, 3))
-    waves = size - np.abs(offset)
-    found = np.stack([waves * np.sin(phase), waves * np.cos(phase), offset], axis=-1)
-    found[generator.random((*shape, 3)) < 0.1] = 0.0
-    return found.reshape(*shape, HARMONICS).astype(dtype)
 
 
 def _attitudes(generator: np.random.Generator, shape: tuple[int, int]) -> NDArray[Any]:

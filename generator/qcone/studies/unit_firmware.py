@@ -16,7 +16,8 @@ from qcone.studies.encoder_correction import Harmonic
 from qcone.studies.encoder_log import EncoderLog, check_columns
 from qcone.studies.replaying import outputs_of
 from qcone.studies.simulating import compiled, options
-from qcone.vectors import CORRECT, HARMONICS, SET, Vectors, in_form
+from qcone.unit_vectors import HARMONICS
+from qcone.vectors import CORRECT, SET, Vectors, in_form
 
 ZERO = Harmonic(0.0, 0.0, 0.0, 1, 0.0)
 
