@@ -15,8 +15,8 @@ from qcone import pipeline, verify
 from qcone.algorithms import rotating_unit as written
 from qcone.bundle import with_manifest
 from qcone.design import design_from_options
-from qcone.errors import DesignError
 from qcone.ir.real import Quaternion, Scalar
+from qcone.outcomes import describe_first, word_names
 from qcone.pipeline import build
 from qcone.reference import euler, quaternion, rotating_unit
 from qcone.registry import entries
@@ -44,10 +44,9 @@ def ran(number: str, compiler: Compiler, arcsec: int = 600) -> Turned:
 
 def errors(found: Turned, number: str, largest: float) -> dict[str, float]:
     """Return the largest errors against the exact functions, in the units the header states them in."""
-    angles, _, _ = rows(number, len(found.angle) - len(rows(number, 0, largest)[0]), largest)
     unit_, dtype = float(np.finfo(number).eps), np.dtype(number).type
     worst = {"angle": 0.0, "tilt": 0.0, "quaternion": 0.0}
-    for k, encoder in enumerate(angles.astype(np.float64).tolist()):
+    for k, encoder in enumerate(found.encoder.tolist()):
         corrected, *tilts = exact_correction(encoder, found.harmonics[k])
         half_place = float(np.spacing(np.abs(dtype(found.angle[k])))) / 2
         angle = (float(abs(found.angle[k] - corrected)) - half_place) / (unit_ * largest)
@@ -211,7 +210,7 @@ def test_the_header_says_what_is_declared_and_promised() -> None:
         "rad, at most 3 pi in size: 0..2 pi and -pi..pi both",
         "within half a unit of its last place and 2.8e-09 rad",
         "within 8.3e-09 rad of the exact function",
-        "within 8 units of the last place of 1 (9.5e-07) of the exact function",
+        "within 9.5e-07 of the exact function",
         "The correction is zero.",
         "The correction is kept.",
         "rins (10) to (16)",
@@ -277,9 +276,9 @@ def test_a_wrong_stage_bit_is_told_with_its_function(monkeypatch: pytest.MonkeyP
     vectors = draw(bundle, 200)
     expected = verify.model_words(bundle, vectors)
     words = expected.copy()
-    at = verify.word_names(bundle).index("body_quaternion w")
+    at = word_names(bundle).index("body_quaternion w")
     words[3, 1, at] = np.nextafter(words[3, 1, at], 2)
-    told = verify.describe_first(bundle, vectors, words, expected)
+    told = describe_first(bundle, vectors, words, expected)
     assert told.startswith("lane 3, step 1, body_quaternion w: C ")
     assert float(vectors.unit[0][3, 1]).hex() in told
 
@@ -357,11 +356,33 @@ def test_options_ask_for_the_stage_too() -> None:
     assert asked.max_correction_arcsec == 120
 
 
-def test_the_stage_in_fixed_point_is_refused_with_its_place() -> None:
-    with pytest.raises(
-        DesignError, match=r"^command line: error QC212: design 'tested': the table rins does not go"
-    ) as told:
-        build(unit(number="fixed32"))
-    assert str(told.value).endswith(
-        'number.format = "fixed32" in this version, the stage is lowered to floats alone, use float32 or float64'
+FIXED = "rotation_vector_3_coning_rins_fixed32_compensated"
+FRACTION_BITS = {"ENCODER": 27, "ANGLE": 27, "TILT": 36, "AZIMUTH": 39, "TILT_X": 39, "TILT_Y": 39}
+
+
+def test_the_header_gives_the_fraction_bits_of_every_argument_of_the_stage() -> None:
+    for argument, bits in FRACTION_BITS.items():
+        assert f"#define {FIXED.upper()}_{argument}_FRACTION_BITS {bits}\n" in shipped(FIXED).header
+
+
+def test_fixed_point_keeps_what_its_header_states(first_compiler: Compiler) -> None:
+    """Against 40 digits of the rounded arguments: half a place and the stated errors, read from the header."""
+    bundle = shipped(FIXED)
+    largest = float(bundle.facts.known.correction or 0)
+    found = turned(bundle, first_compiler, *rows("float64", COUNT, largest))
+    header = " ".join(re.sub(r"\n ?\*? *", " ", bundle.header).split())
+    angle, tilt, part = (
+        float(re.findall(pattern, header)[0])
+        for pattern in (
+            r"its last place and (\S+) rad",
+            r"within (\S+) rad of the exact",
+            r"is within (\S+) of the exact",
+        )
     )
+    half_place = 2.0 ** -(FRACTION_BITS["ANGLE"] + 1)
+    for k, encoder in enumerate(found.encoder.tolist()):
+        corrected, *tilts = exact_correction(encoder, found.harmonics[k])
+        assert abs(found.angle[k] - corrected) <= half_place + angle
+        assert max(abs(have - want) for have, want in zip(found.tilt[k].tolist(), tilts, strict=True)) <= tilt
+        body = exact_body(found.q_ns[k], float(found.angle[k]), found.tilt[k])
+        assert max(abs(have - want) for have, want in zip(found.q_nb[k].tolist(), body, strict=True)) <= part

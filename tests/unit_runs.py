@@ -9,13 +9,13 @@ import mpmath
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from qcone.backends.bittrue import dtype_of
 from qcone.bundle import Bundle
 from qcone.design import Design
 from qcone.ir.statement import Role
 from qcone.targets.compiler import Compiler
 from qcone.vectors import CORRECT, INIT, SET, Vectors, in_form
 from qcone.verify import c_words, differing_bits, model_words, open_library
+from qcone.words import TYPES, from_words, to_words
 from shipped import design_of
 
 EXACT = mpmath.mp.clone()
@@ -30,8 +30,9 @@ def unit(example: str = "rotation-vector subsamples=1", **options: object) -> De
 
 @dataclass(frozen=True)
 class Turned:
-    """What each row gave: `q_ns` (n, 4) as the C reports it, angle (n,), tilt (n, 2), and so on."""
+    """What each row was given, as the C takes it, and gave: angles (n,), tilt (n, 2), quaternions (n, 4), and so on."""
 
+    encoder: Array
     q_ns: Array
     angle: Array
     tilt: Array
@@ -53,48 +54,50 @@ def turned(
 
     With `model` the bit-true model runs too and may not differ in any bit.
     """
-    dtype = dtype_of(bundle.facts.number)
     rows = len(np.asarray(encoder))
     restart = np.full((1, 2 * rows + 1), SET, np.int32)
     restart[0, 1::2], restart[0, 0] = CORRECT, INIT
     size = bundle.machine.routine("update").having(Role.INPUT)[0].size
     held = in_form(np.broadcast_to(np.asarray(attitude, np.float64), (rows, 4)), bundle.driver.setter)
 
-    def doubled(values: ArrayLike, *shape: int) -> Array:
-        whole = np.broadcast_to(np.asarray(values, dtype), (rows, *shape))
+    setting = bundle.machine.routine(bundle.driver.setter).having(Role.INPUT)[0]
+
+    def doubled(block: str, values: ArrayLike, *shape: int) -> Array:
+        whole = np.broadcast_to(to_words(bundle, block, np.asarray(values, np.float64)), (rows, *shape))
         return np.concatenate([whole[:1], np.repeat(whole, 2, axis=0)])[np.newaxis]
 
-    still = np.zeros((1, 2 * rows + 1, 3), dtype)
+    still = np.zeros((1, 2 * rows + 1, 3), TYPES[bundle.driver.ctype])
     vectors = Vectors(
         restart,
-        doubled(held, held.shape[1]),
+        doubled(setting.name, held, held.shape[1]),
         still,
-        np.zeros((1, 2 * rows + 1, size), dtype),
-        doubled(encoder),
-        doubled(harmonics, 9),
+        np.zeros((1, 2 * rows + 1, size), TYPES[bundle.driver.input_ctype]),
+        doubled("encoder", encoder),
+        doubled("azimuth", harmonics, 9),
     )
     words, contracted = c_words(bundle, open_library(bundle, compiler, "-O2"), vectors)
     assert not contracted
     if model:
         assert differing_bits(words, model_words(bundle, vectors)) == 0
-    return _named(bundle, words[0, 2::2].astype(np.float64))
+    given = from_words(bundle, "encoder", vectors.unit[0][0, 2::2])
+    return _named(bundle, words[0, 2::2], given, from_words(bundle, "azimuth", vectors.unit[1][0, 2::2]))
 
 
-def _named(bundle: Bundle, words: Array) -> Turned:
-    found, first = {}, 0
-    sizes = [(block.name, block.size) for block in bundle.machine.state]
-    for name, size in (*sizes, *bundle.driver.reported):
-        found[name] = words[:, first : first + size]
-        first += size
-    harmonics = [found[f"{name}_harmonic"] for name in ("azimuth", "tilt_x", "tilt_y")]
+def _named(bundle: Bundle, words: Array, encoder: Array, harmonics: Array) -> Turned:
+    found, first = {}, len(bundle.driver.state_words)
+    for name, _ in bundle.driver.reported:
+        for block in bundle.machine.routine(name).having(Role.OUTPUT):
+            found[name, block.name] = from_words(bundle, block.name, words[:, first : first + block.size])
+            first += block.size
     return Turned(
-        found["quaternion"],
-        found["correct"][:, 0],
-        found["correct"][:, 1:],
-        found["body_quaternion"],
-        found.get("body_dcm"),
-        found.get("body_euler"),
-        np.concatenate(harmonics, axis=1),
+        encoder,
+        found["quaternion", "q_nb"],
+        found["correct", "angle"][:, 0],
+        found["correct", "tilt"],
+        found["body_quaternion", "q_nb"],
+        found.get(("body_dcm", "c_nb")),
+        found.get(("body_euler", "rpy")),
+        harmonics,
     )
 
 

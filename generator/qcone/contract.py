@@ -43,6 +43,7 @@ ARGUMENTS = {
     "rpy": "RPY",
     "angles": "RPY",
     "e": "E",
+    **{name: name.upper() for name in ("encoder", "angle", "tilt", "azimuth", "tilt_x", "tilt_y")},
 }
 """What an argument is called in the macro of its fraction bits."""
 

@@ -17,11 +17,12 @@ from qcone import sensor
 from qcone.backends.bittrue import dtype_of
 from qcone.bundle import Bundle
 from qcone.declaration import in_fixed_point
-from qcone.draws import HARMONICS, angles_of_encoder, attitudes, harmonics, samples, smooth
+from qcone.draws import attitudes, samples, smooth
 from qcone.formats.fixed import Fixed
 from qcone.formats.floating import Floating
 from qcone.ir.statement import Block, Role
 from qcone.passes.samples import Samples
+from qcone.unit_vectors import HARMONICS, angles_of_encoder, harmonics
 from qcone.words import to_increments, to_words
 
 GO_ON, INIT, SET, CORRECT = 0, 1, 2, 3

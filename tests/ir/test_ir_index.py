@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from pycparser import CParser
 
 from qcone.backends.c_operands import affine
-from qcone.backends.parse_back import _expression as read_index
+from qcone.backends.c_operands import expression as read_index
 from qcone.ir.index import FIRST, Index
 
 SMALL = st.integers(-50, 50)

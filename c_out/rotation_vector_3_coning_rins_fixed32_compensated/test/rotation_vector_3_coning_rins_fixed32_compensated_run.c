@@ -67,13 +67,14 @@ void rotation_vector_3_coning_rins_fixed32_compensated_run(int32_t rows, const i
         for (int32_t k = 0; k < 3; ++k) {
             *out++ = reported[k];
         }
+        const int32_t *angle = &encoder[row];
         int32_t turn[3];
-        rotation_vector_3_coning_rins_fixed32_compensated_correct(&state, &encoder[row], turn, &turn[1]);
+        int32_t body[4];
+        rotation_vector_3_coning_rins_fixed32_compensated_correct(&state, angle, turn, &turn[1]);
+        rotation_vector_3_coning_rins_fixed32_compensated_body_quaternion(&state, turn, &turn[1], body);
         for (int32_t k = 0; k < 3; ++k) {
             *out++ = turn[k];
         }
-        int32_t body[4];
-        rotation_vector_3_coning_rins_fixed32_compensated_body_quaternion(&state, turn, &turn[1], body);
         for (int32_t k = 0; k < 4; ++k) {
             *out++ = body[k];
         }

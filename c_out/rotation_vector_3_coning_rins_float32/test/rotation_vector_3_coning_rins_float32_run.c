@@ -175,12 +175,12 @@ void rotation_vector_3_coning_rins_float32_run(int32_t rows, const int32_t *rest
         out += 4;
         rotation_vector_3_coning_rins_float32_dcm(&state, out);
         out += 9;
+        const float *angle = &encoder[row];
         float *turn = out;
-        rotation_vector_3_coning_rins_float32_correct(&state, &encoder[row], turn, &turn[1]);
-        out += 3;
-        float *body = out;
+        rotation_vector_3_coning_rins_float32_correct(&state, angle, turn, &turn[1]);
+        float *body = &turn[3];
         rotation_vector_3_coning_rins_float32_body_quaternion(&state, turn, &turn[1], body);
-        out += 4;
+        out = &body[4];
         rotation_vector_3_coning_rins_float32_body_dcm(body, out);
         out += 9;
     }

@@ -175,12 +175,12 @@ void rotation_vector_3_coning_rins_float64_run(int32_t rows, const int32_t *rest
         out += 4;
         rotation_vector_3_coning_rins_float64_dcm(&state, out);
         out += 9;
+        const double *angle = &encoder[row];
         double *turn = out;
-        rotation_vector_3_coning_rins_float64_correct(&state, &encoder[row], turn, &turn[1]);
-        out += 3;
-        double *body = out;
+        rotation_vector_3_coning_rins_float64_correct(&state, angle, turn, &turn[1]);
+        double *body = &turn[3];
         rotation_vector_3_coning_rins_float64_body_quaternion(&state, turn, &turn[1], body);
-        out += 4;
+        out = &body[4];
         rotation_vector_3_coning_rins_float64_body_dcm(body, out);
         out += 9;
     }

@@ -86,6 +86,11 @@ class Driver:
         """Return every function that gives values after an update, in the order of a row's words."""
         return (*self.outputs, *self.stage)
 
+    @property
+    def body(self) -> tuple[tuple[str, int], ...]:
+        """Return the functions of the stage that take the body's quaternion alone."""
+        return self.stage[2:]
+
 
 def header(page: Page) -> str:
     """Return the text of the header file."""

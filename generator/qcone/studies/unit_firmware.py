@@ -9,7 +9,6 @@ import numpy as np
 
 from qcone import verify
 from qcone.backends.bittrue import dtype_of
-from qcone.draws import HARMONICS
 from qcone.errors import UsageError
 from qcone.reference.quaternion import Array
 from qcone.stage_routines import BODY, LARGEST_ANGLE
@@ -17,6 +16,7 @@ from qcone.studies.encoder_correction import Harmonic
 from qcone.studies.encoder_log import EncoderLog, check_columns
 from qcone.studies.replaying import outputs_of
 from qcone.studies.simulating import compiled, options
+from qcone.unit_vectors import HARMONICS
 from qcone.vectors import CORRECT, SET, Vectors, in_form
 
 ZERO = Harmonic(0.0, 0.0, 0.0, 1, 0.0)
