@@ -19,9 +19,10 @@ LAYERS: tuple[frozenset[str], ...] = (
     frozenset({"algorithms", "passes", "backends", "targets", "reference"}),
     frozenset(
         {
-            *("admission", "assembly", "bundle", "contract", "cost", "on_avr", "on_board", "on_target", "outcomes"),
-            *("pipeline", "printing", "registry", "sensor", "stage_contract", "stage_routines", "state_routines"),
-            *("stepwise", "unit_words", "vectors", "verify", "words"),
+            *("admission", "assembly", "bundle", "contract", "cost", "declaration", "draws", "on_avr", "on_board"),
+            *("on_target", "outcomes", "pipeline", "printing", "registry", "routine_contract", "sensor"),
+            *("stage_contract", "stage_routines", "state_routines", "stepwise", "unit_words", "vectors", "verify"),
+            "words",
         }
     ),
     frozenset({"studies", "reports"}),

@@ -23,7 +23,8 @@ from qcone.ir.statement import Block, Role, Routine, Shape
 from qcone.ir.update import Rotation, increment, quaternion
 from qcone.ir.writing import Writing
 from qcone.passes.fuse import fuse
-from qcone.passes.magnitudes import Declared, Magnitudes, outward, root_above
+from qcone.passes.intervals import outward, root_above
+from qcone.passes.magnitudes import Declared, Magnitudes
 
 F = Fraction
 Q = Block("q", Shape.QUATERNION, Role.STATE)
