@@ -6,9 +6,12 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from pycparser import c_ast
+from pycparser import CParser, c_ast
+from pycparser.c_parser import ParseError
 
 from qcone.formats.floating import FLOATING
+
+__all__ = ["WORDS", "CParser", "ParseError", "UnreadableError", "affine", "c_ast", "expression", "operand"]
 
 WORDS = ("int16_t", "int32_t", "int64_t")
 NUMBERS = {each.ctype: each for each in FLOATING.values()}

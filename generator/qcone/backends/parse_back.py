@@ -11,10 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from pycparser import CParser, c_ast
-from pycparser.c_parser import ParseError
-
-from qcone.backends.c_operands import WORDS, UnreadableError, expression, operand
+from qcone.backends.c_operands import WORDS, CParser, ParseError, UnreadableError, c_ast, expression, operand
 
 OPERATORS = {"+": "add", "-": "subtract", "*": "multiply", "/": "divide", "<": "less"}
 TYPES = "typedef short int16_t; typedef int int32_t; typedef long long int64_t;\n"
