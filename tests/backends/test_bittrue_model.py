@@ -10,7 +10,9 @@ import pytest
 import written
 
 from qcone.backends.bittrue import ARITHMETIC, DTYPES, Model, dtype_of, new_state
+from qcone.backends.bittrue_fixed import OPERATIONS
 from qcone.bundle import Bundle
+from qcone.formats.fixed import WIDTHS
 from qcone.formats.floating import FLOATING
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Role
@@ -31,12 +33,13 @@ def inputs_of(bundle: Bundle, lanes: int, seed: int = 5) -> dict[str, np.ndarray
 
 
 def test_every_format_has_its_type() -> None:
-    assert set(DTYPES) == set(FLOATING)
-    assert [np.dtype(DTYPES[name]).itemsize for name in ("float32", "float64")] == [4, 8]
+    assert set(DTYPES) == {*FLOATING, *WIDTHS}
+    assert [np.dtype(DTYPES[name]).itemsize for name in ("float32", "float64", *WIDTHS)] == [4, 8, 8, 8]
 
 
 def test_every_machine_operation_has_a_meaning() -> None:
-    assert set(ARITHMETIC) | {MachineOp.LITERAL, MachineOp.READ} == set(MachineOp)
+    known = {*ARITHMETIC, *OPERATIONS, MachineOp.LITERAL, MachineOp.READ}
+    assert known == set(MachineOp)
 
 
 @pytest.mark.parametrize("name", DESIGNS)

@@ -19,6 +19,8 @@ LONGEST = 120
 ONE_LINE = ("#define", "#error", "/* Generated")
 """What cannot be broken: a macro, a message, the command that makes the file."""
 
+SMALL = re.compile(r"^static inline .*?\n}\n", re.DOTALL | re.MULTILINE)
+"""A small function of fixed point: what stands for one operation."""
 ARITHMETIC = {"+", "-", "*", "/"}
 
 
@@ -30,6 +32,7 @@ def functions(bundle: Bundle) -> dict[str, c_ast.FuncDef]:
     """Parse header and source as a C compiler sees them, without the product's own reader."""
     text = re.sub(r"#ifdef __cplusplus\n.*?#endif\n", "", bundle.header, flags=re.DOTALL) + bundle.source
     text = re.sub(r"/\*.*?\*/", " ", text, flags=re.DOTALL)
+    text = SMALL.sub("", text)
     text = "\n".join(line for line in text.splitlines() if not line.startswith("#"))
     tree = CParser().parse(TYPES + text)
     return {node.decl.name: node for node in tree.ext if isinstance(node, c_ast.FuncDef)}
@@ -140,13 +143,15 @@ def test_names_are_the_specification_s(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", DESIGNS)
-def test_float32_has_no_double_literal_and_float64_no_float(name: str) -> None:
+def test_no_format_has_literals_of_another(name: str) -> None:
     bundle = shipped(name)
     text = re.sub(r"/\*.*?\*/", " ", bundle.source, flags=re.DOTALL)
     literals = re.findall(r"(?<![\w.])\d+\.\d+(?:e[+-]\d+)?F?", text)
-    assert literals
-    assert {literal.endswith("F") for literal in literals} == {bundle.facts.number.name == "float32"}
-    assert ("double" in text) == (bundle.facts.number.name == "float64")
+    number = bundle.facts.number.name
+    assert bool(literals) == number.startswith("float")
+    assert {literal.endswith("F") for literal in literals} <= {number == "float32"}
+    assert ("double" in text) == (number == "float64")
+    assert ("float" in text.replace(name, "")) == (number == "float32")
 
 
 @pytest.mark.parametrize("name", DESIGNS)
@@ -170,8 +175,12 @@ def test_every_function_has_its_contract(name: str) -> None:
         for argument in re.findall(r"(\w+)\[\d+\]", arguments):
             assert f" {argument}: " in contract, f"{function}: {argument}"
     update = next(contract for contract, function, _ in prototypes if function == f"{name}_update")
-    for word in ("rad", "Range: ", "Truncation: ", "Rounding: not bounded"):
+    unit = "deg/s" if shipped(name).facts.design.input == "counts" else "rad"
+    for word in (unit, "Range: ", "Truncation: "):
         assert word in update
+    bounded = re.search(r"Rounding: (not bounded|one update is within [\d.e-]+ of exact arithmetic)", update)
+    assert bounded
+    assert shipped(name).facts.number.name.startswith("fixed") or bounded[1] == "not bounded"
 
 
 def test_counter_is_set_by_an_integer() -> None:

@@ -231,5 +231,5 @@ def test_text_that_counts_otherwise_is_refused(monkeypatch: pytest.MonkeyPatch) 
 def test_every_kind_is_named() -> None:
     assert set(asdict(Counts())) == {
         *KINDS.values(),
-        *("negate", "power_of_two", "square_root", "trigonometric", "select"),
+        *("negate", "power_of_two", "square_root", "trigonometric", "select", "shift"),
     }

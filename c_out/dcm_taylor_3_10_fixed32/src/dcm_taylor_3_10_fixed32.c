@@ -43,7 +43,6 @@
 #error "dcm_taylor_3_10_fixed32.h is of another version than this file: generate both again"
 #endif
 
-
 /* x / 2^bits, rounded down, 0 <= bits < 32. */
 static inline int32_t shift_right_32(int32_t x, int bits)
 {
@@ -1558,19 +1557,24 @@ void dcm_taylor_3_10_fixed32_quaternion(const dcm_taylor_3_10_fixed32_state *sta
     /* scale = 1/(2 sqrt(largest)) */
     const int32_t q_nb_w_5 = clamp_32(largest, 268435456, 1073741824);  /* F28, |x| <= 4 */
     const int64_t q_nb_w_6 = (int64_t)747135655 /* 47816681919/17592186044416 */ * q_nb_w_5;  /* F66 */
-    const int64_t q_nb_w_7 = INT64_C(3055335112074854400) /* 182112164025/4398046511104 */ - q_nb_w_6;  /* F66 */
+    /* F66 */
+    const int64_t q_nb_w_7 = INT64_C(3055335112074854400) /* 182112164025/4398046511104 */ - q_nb_w_6;
     const int32_t q_nb_w_8 = round_31(q_nb_w_7);  /* F35, |x| <= 0.0387 */
     const int64_t q_nb_w_9 = (int64_t)q_nb_w_5 * q_nb_w_8;  /* F63 */
-    const int64_t q_nb_w_10 = q_nb_w_9 - INT64_C(2359226658135736320) /* 2249933870445/8796093022208 */;  /* F63 */
+    /* F63 */
+    const int64_t q_nb_w_10 = q_nb_w_9 - INT64_C(2359226658135736320) /* 2249933870445/8796093022208 */;
     const int32_t q_nb_w_11 = round_30(q_nb_w_10);  /* F33, |x| <= 0.226 */
     const int64_t q_nb_w_12 = (int64_t)q_nb_w_5 * q_nb_w_11;  /* F61 */
-    const int64_t q_nb_w_13 = INT64_C(1903359871809486848) /* 1815185424623/2199023255552 */ + q_nb_w_12;  /* F61 */
+    /* F61 */
+    const int64_t q_nb_w_13 = INT64_C(1903359871809486848) /* 1815185424623/2199023255552 */ + q_nb_w_12;
     const int32_t q_nb_w_14 = round_30(q_nb_w_13);  /* F31, |x| <= 0.725 */
     const int64_t q_nb_w_15 = (int64_t)q_nb_w_5 * q_nb_w_14;  /* F59 */
-    const int64_t q_nb_w_16 = q_nb_w_15 - INT64_C(873312016427581440) /* 13325683844415/8796093022208 */;  /* F59 */
+    /* F59 */
+    const int64_t q_nb_w_16 = q_nb_w_15 - INT64_C(873312016427581440) /* 13325683844415/8796093022208 */;
     const int32_t q_nb_w_17 = round_29(q_nb_w_16);  /* F30, |x| <= 1.82 */
     const int64_t q_nb_w_18 = (int64_t)q_nb_w_5 * q_nb_w_17;  /* F58 */
-    const int64_t q_nb_w_19 = INT64_C(549302309616861184) /* 33526752295951/17592186044416 */ + q_nb_w_18;  /* F58 */
+    /* F58 */
+    const int64_t q_nb_w_19 = INT64_C(549302309616861184) /* 33526752295951/17592186044416 */ + q_nb_w_18;
     const int32_t q_nb_w_20 = round_30(q_nb_w_19);  /* F28, |x| <= 7.44 */
     const int32_t q_nb_w_21 = clamp_32(q_nb_w_20, 67108864, 335544320);  /* F28, |x| <= 1.25 */
     const int64_t q_nb_w_22 = (int64_t)q_nb_w_21 * q_nb_w_21;  /* F56 */

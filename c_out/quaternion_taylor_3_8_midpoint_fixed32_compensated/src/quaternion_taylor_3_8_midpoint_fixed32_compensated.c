@@ -39,7 +39,6 @@
 #error "quaternion_taylor_3_8_midpoint_fixed32_compensated.h is of another version than this file: generate both again"
 #endif
 
-
 /* The word of 32 bits with these bits. */
 static inline int32_t wrapped_32(uint32_t bits)
 {

@@ -37,7 +37,6 @@
 #error "rotation_vector_1_fixed16.h is of another version than this file: generate both again"
 #endif
 
-
 /* x / 2^bits, rounded down, 0 <= bits < 32. */
 static inline int32_t shift_right_32(int32_t x, int bits)
 {

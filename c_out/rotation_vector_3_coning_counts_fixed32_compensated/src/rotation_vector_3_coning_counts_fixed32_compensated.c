@@ -40,7 +40,6 @@
 #error "rotation_vector_3_coning_counts_fixed32_compensated.h is of another version than this file: generate both again"
 #endif
 
-
 /* The word of 32 bits with these bits. */
 static inline int32_t wrapped_32(uint32_t bits)
 {

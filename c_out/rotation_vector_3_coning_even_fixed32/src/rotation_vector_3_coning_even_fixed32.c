@@ -40,7 +40,6 @@
 #error "rotation_vector_3_coning_even_fixed32.h is of another version than this file: generate both again"
 #endif
 
-
 /* x / 2^bits, rounded down, 0 <= bits < 64. */
 static inline int64_t shift_right_64(int64_t x, int bits)
 {

@@ -41,7 +41,6 @@
 #error "rotation_vector_3_coning_fixed16_compensated.h is of another version than this file: generate both again"
 #endif
 
-
 /* The word of 16 bits with these bits. */
 static inline int16_t wrapped_16(uint16_t bits)
 {

@@ -46,7 +46,6 @@
 #error "rotation_vector_3_coning_fixed32.h is of another version than this file: generate both again"
 #endif
 
-
 /* x / 2^bits, rounded down, 0 <= bits < 32. */
 static inline int32_t shift_right_32(int32_t x, int bits)
 {
@@ -574,7 +573,8 @@ void rotation_vector_3_coning_fixed32_euler(
     const int32_t half_sum_27 = clamp_32(half_sum_26, 2, 2147483647);  /* F28, |x| <= 4.02 */
     const int64_t half_sum_28 = half_sum_22 * INT64_C(4294967296);  /* F60 */
     const int64_t half_sum_29 = half_sum_28 / half_sum_27;  /* F32, |x| <= 5.39e+08 */
-    const int32_t half_sum_30 = clamp_64_to_32(half_sum_29, INT64_C(-1779404950), INT64_C(1779404950));  /* F32, |x| <= 0.415 */
+    /* F32, |x| <= 0.415 */
+    const int32_t half_sum_30 = clamp_64_to_32(half_sum_29, INT64_C(-1779404950), INT64_C(1779404950));
     const int64_t half_sum_31 = (int64_t)half_sum_30 * half_sum_30;  /* F64 */
     const int32_t half_sum_32 = round_31(half_sum_31);  /* F33, |x| <= 0.172 */
     const int64_t half_sum_33 = (int64_t)510875761 /* 382/6423 */ * half_sum_32;  /* F66 */
@@ -611,14 +611,19 @@ void rotation_vector_3_coning_fixed32_euler(
     /* half_difference = (yaw - roll)/2   [zyx] */
     const int32_t half_difference_5 = half_difference_2 < 0;
     const int32_t half_difference_6 = -half_difference_2;  /* F29, |x| <= 2.01 */
-    const int32_t half_difference_7 = (half_difference_5 != 0) ? half_difference_6 : half_difference_2;  /* F29, |x| <= 2.01 */
+    /* F29, |x| <= 2.01 */
+    const int32_t half_difference_7 = (half_difference_5 != 0) ? half_difference_6 : half_difference_2;
     const int32_t half_difference_8 = half_difference_4 < 0;
     const int32_t half_difference_9 = -half_difference_4;  /* F29, |x| <= 2.01 */
-    const int32_t half_difference_10 = (half_difference_8 != 0) ? half_difference_9 : half_difference_4;  /* F29, |x| <= 2.01 */
+    /* F29, |x| <= 2.01 */
+    const int32_t half_difference_10 = (half_difference_8 != 0) ? half_difference_9 : half_difference_4;
     const int32_t half_difference_11 = half_difference_10 < half_difference_7;
-    const int32_t half_difference_12 = (half_difference_11 != 0) ? half_difference_10 : half_difference_7;  /* F29, |x| <= 2.01 */
-    const int32_t half_difference_13 = (half_difference_11 != 0) ? half_difference_7 : half_difference_10;  /* F29, |x| <= 2.01 */
-    const int64_t half_difference_14 = (int64_t)889516847 /* 10355339/25000000 */ * half_difference_13;  /* F60 */
+    /* F29, |x| <= 2.01 */
+    const int32_t half_difference_12 = (half_difference_11 != 0) ? half_difference_10 : half_difference_7;
+    /* F29, |x| <= 2.01 */
+    const int32_t half_difference_13 = (half_difference_11 != 0) ? half_difference_7 : half_difference_10;
+    /* F60 */
+    const int64_t half_difference_14 = (int64_t)889516847 /* 10355339/25000000 */ * half_difference_13;
     const int32_t half_difference_15 = round_29(half_difference_14);  /* F31, |x| <= 0.832 */
     const int64_t half_difference_16 = half_difference_15 * INT64_C(1);  /* F31 */
     const int64_t half_difference_17 = half_difference_12 * INT64_C(4);  /* F31 */
@@ -626,28 +631,35 @@ void rotation_vector_3_coning_fixed32_euler(
     const int64_t half_difference_19 = (int64_t)half_difference_12 - half_difference_13;  /* F29 */
     const int32_t half_difference_20 = round_1(half_difference_19);  /* F28, |x| <= 4.02 */
     const int32_t half_difference_21 = round_short_1(half_difference_12);  /* F28 */
-    const int32_t half_difference_22 = (half_difference_18 != 0) ? half_difference_20 : half_difference_21;  /* F28, |x| <= 4.02 */
+    /* F28, |x| <= 4.02 */
+    const int32_t half_difference_22 = (half_difference_18 != 0) ? half_difference_20 : half_difference_21;
     const int64_t half_difference_23 = (int64_t)half_difference_12 + half_difference_13;  /* F29 */
     const int32_t half_difference_24 = round_1(half_difference_23);  /* F28, |x| <= 4.02 */
     const int32_t half_difference_25 = round_short_1(half_difference_13);  /* F28 */
-    const int32_t half_difference_26 = (half_difference_18 != 0) ? half_difference_24 : half_difference_25;  /* F28, |x| <= 4.02 */
+    /* F28, |x| <= 4.02 */
+    const int32_t half_difference_26 = (half_difference_18 != 0) ? half_difference_24 : half_difference_25;
     const int32_t half_difference_27 = clamp_32(half_difference_26, 2, 2147483647);  /* F28, |x| <= 4.02 */
     const int64_t half_difference_28 = half_difference_22 * INT64_C(4294967296);  /* F60 */
     const int64_t half_difference_29 = half_difference_28 / half_difference_27;  /* F32, |x| <= 5.39e+08 */
-    const int32_t half_difference_30 = clamp_64_to_32(half_difference_29, INT64_C(-1779404950), INT64_C(1779404950));  /* F32, |x| <= 0.415 */
+    /* F32, |x| <= 0.415 */
+    const int32_t half_difference_30 = clamp_64_to_32(half_difference_29, INT64_C(-1779404950), INT64_C(1779404950));
     const int64_t half_difference_31 = (int64_t)half_difference_30 * half_difference_30;  /* F64 */
     const int32_t half_difference_32 = round_31(half_difference_31);  /* F33, |x| <= 0.172 */
     const int64_t half_difference_33 = (int64_t)510875761 /* 382/6423 */ * half_difference_32;  /* F66 */
-    const int64_t half_difference_34 = INT64_C(7773993415904670242) /* 1650/15661 */ - half_difference_33;  /* F66 */
+    /* F66 */
+    const int64_t half_difference_34 = INT64_C(7773993415904670242) /* 1650/15661 */ - half_difference_33;
     const int32_t half_difference_35 = round_34(half_difference_34);  /* F32, |x| <= 0.106 */
     const int64_t half_difference_36 = (int64_t)half_difference_32 * half_difference_35;  /* F65 */
-    const int64_t half_difference_37 = half_difference_36 - INT64_C(5251586747234353517) /* 7339/51558 */;  /* F65 */
+    /* F65 */
+    const int64_t half_difference_37 = half_difference_36 - INT64_C(5251586747234353517) /* 7339/51558 */;
     const int32_t half_difference_38 = round_33(half_difference_37);  /* F32, |x| <= 0.143 */
     const int64_t half_difference_39 = (int64_t)half_difference_32 * half_difference_38;  /* F65 */
-    const int64_t half_difference_40 = INT64_C(7377920055805538292) /* 58828/294171 */ + half_difference_39;  /* F65 */
+    /* F65 */
+    const int64_t half_difference_40 = INT64_C(7377920055805538292) /* 58828/294171 */ + half_difference_39;
     const int32_t half_difference_41 = round_34(half_difference_40);  /* F31, |x| <= 0.2 */
     const int64_t half_difference_42 = (int64_t)half_difference_32 * half_difference_41;  /* F64 */
-    const int64_t half_difference_43 = half_difference_42 - INT64_C(6148909082171862706) /* 365415/1096246 */;  /* F64 */
+    /* F64 */
+    const int64_t half_difference_43 = half_difference_42 - INT64_C(6148909082171862706) /* 365415/1096246 */;
     const int32_t half_difference_44 = round_32(half_difference_43);  /* F32, |x| <= 0.334 */
     const int64_t half_difference_45 = (int64_t)half_difference_32 * half_difference_44;  /* F65 */
     const int32_t half_difference_46 = round_30(half_difference_45);  /* F35, |x| <= 0.0573 */
@@ -657,29 +669,36 @@ void rotation_vector_3_coning_fixed32_euler(
     const int64_t half_difference_50 = INT64_C(3373259426) + half_difference_49;  /* F32 */
     const int32_t half_difference_51 = round_2(half_difference_50);  /* F30, |x| <= 1.23 */
     const int32_t half_difference_52 = round_short_2(half_difference_49);  /* F30 */
-    const int32_t half_difference_53 = (half_difference_18 != 0) ? half_difference_51 : half_difference_52;  /* F30, |x| <= 1.23 */
+    /* F30, |x| <= 1.23 */
+    const int32_t half_difference_53 = (half_difference_18 != 0) ? half_difference_51 : half_difference_52;
     const int64_t half_difference_54 = INT64_C(1686629713) - half_difference_53;  /* F30 */
     const int32_t half_difference_55 = round_1(half_difference_54);  /* F29, |x| <= 2.01 */
     const int32_t half_difference_56 = round_short_1(half_difference_53);  /* F29 */
-    const int32_t half_difference_57 = (half_difference_11 != 0) ? half_difference_55 : half_difference_56;  /* F29, |x| <= 2.01 */
+    /* F29, |x| <= 2.01 */
+    const int32_t half_difference_57 = (half_difference_11 != 0) ? half_difference_55 : half_difference_56;
     const int64_t half_difference_58 = INT64_C(1686629713) - half_difference_57;  /* F29 */
     const int32_t half_difference_59 = (int32_t)half_difference_58;  /* F29, |x| <= 3.58 */
-    const int32_t half_difference_60 = (half_difference_8 != 0) ? half_difference_59 : half_difference_57;  /* F29, |x| <= 3.58 */
+    /* F29, |x| <= 3.58 */
+    const int32_t half_difference_60 = (half_difference_8 != 0) ? half_difference_59 : half_difference_57;
     const int32_t half_difference_61 = -half_difference_60;  /* F29, |x| <= 3.58 */
-    const int32_t half_difference = (half_difference_5 != 0) ? half_difference_61 : half_difference_60;  /* F29, |x| <= 3.58 */
+    /* F29, |x| <= 3.58 */
+    const int32_t half_difference = (half_difference_5 != 0) ? half_difference_61 : half_difference_60;
 
     /* pitch = 2 atan(sqrt(up/down)) - pi/2   [zyx] */
     const int64_t pitch_1 = (int64_t)half_difference_4 * half_difference_4;  /* F58 */
     const int64_t pitch_3 = (int64_t)half_difference_2 * half_difference_2;  /* F58 */
     const int64_t pitch_4 = pitch_1 + pitch_3;  /* F60, |x| <= 2.02 */
     const int32_t pitch_5 = pitch_4 < INT64_C(268435456) /* 1/4294967296 */;
-    const int32_t pitch_6 = clamp_64_to_32(pitch_4, INT64_C(0), INT64_C(268435456));  /* F60, |x| <= 2.33e-10 */
+    /* F60, |x| <= 2.33e-10 */
+    const int32_t pitch_6 = clamp_64_to_32(pitch_4, INT64_C(0), INT64_C(268435456));
     const int64_t pitch_7 = pitch_6 * INT64_C(1);  /* F28, |x| <= 1 */
     const int64_t pitch_8 = pitch_7 * INT64_C(4294967296);  /* F60 */
     const int64_t pitch_9 = (pitch_5 != 0) ? pitch_8 : pitch_4;  /* F60, |x| <= 2.02 */
-    const int32_t pitch_10 = (pitch_5 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;  /* F31, |x| <= 0.501 */
+    /* F31, |x| <= 0.501 */
+    const int32_t pitch_10 = (pitch_5 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;
     const int32_t pitch_11 = pitch_9 < INT64_C(17592186044416) /* 1/65536 */;
-    const int64_t pitch_12 = clamp_64(pitch_9, INT64_C(0), INT64_C(17592186044416));  /* F60, |x| <= 1.53e-05 */
+    /* F60, |x| <= 1.53e-05 */
+    const int64_t pitch_12 = clamp_64(pitch_9, INT64_C(0), INT64_C(17592186044416));
     const int64_t pitch_13 = pitch_12 * INT64_C(1);  /* F44, |x| <= 1 */
     const int64_t pitch_14 = pitch_13 * INT64_C(65536);  /* F60 */
     const int64_t pitch_15 = (pitch_11 != 0) ? pitch_14 : pitch_9;  /* F60, |x| <= 2.02 */
@@ -687,7 +706,8 @@ void rotation_vector_3_coning_fixed32_euler(
     const int32_t pitch_17 = round_short_8(pitch_16);  /* F31 */
     const int32_t pitch_18 = (pitch_11 != 0) ? pitch_17 : pitch_10;  /* F31, |x| <= 0.501 */
     const int32_t pitch_19 = pitch_15 < INT64_C(4503599627370496) /* 1/256 */;
-    const int64_t pitch_20 = clamp_64(pitch_15, INT64_C(0), INT64_C(4503599627370496));  /* F60, |x| <= 0.00391 */
+    /* F60, |x| <= 0.00391 */
+    const int64_t pitch_20 = clamp_64(pitch_15, INT64_C(0), INT64_C(4503599627370496));
     const int64_t pitch_21 = pitch_20 * INT64_C(1);  /* F52, |x| <= 1 */
     const int64_t pitch_22 = pitch_21 * INT64_C(256);  /* F60 */
     const int64_t pitch_23 = (pitch_19 != 0) ? pitch_22 : pitch_15;  /* F60, |x| <= 2.02 */
@@ -695,7 +715,8 @@ void rotation_vector_3_coning_fixed32_euler(
     const int32_t pitch_25 = round_short_4(pitch_24);  /* F31 */
     const int32_t pitch_26 = (pitch_19 != 0) ? pitch_25 : pitch_18;  /* F31, |x| <= 0.501 */
     const int32_t pitch_27 = pitch_23 < INT64_C(72057594037927936) /* 1/16 */;
-    const int64_t pitch_28 = clamp_64(pitch_23, INT64_C(0), INT64_C(72057594037927936));  /* F60, |x| <= 0.0625 */
+    /* F60, |x| <= 0.0625 */
+    const int64_t pitch_28 = clamp_64(pitch_23, INT64_C(0), INT64_C(72057594037927936));
     const int64_t pitch_29 = pitch_28 * INT64_C(1);  /* F56, |x| <= 1 */
     const int64_t pitch_30 = pitch_29 * INT64_C(16);  /* F60 */
     const int64_t pitch_31 = (pitch_27 != 0) ? pitch_30 : pitch_23;  /* F60, |x| <= 2.02 */
@@ -703,7 +724,8 @@ void rotation_vector_3_coning_fixed32_euler(
     const int32_t pitch_33 = round_short_2(pitch_32);  /* F31 */
     const int32_t pitch_34 = (pitch_27 != 0) ? pitch_33 : pitch_26;  /* F31, |x| <= 0.501 */
     const int32_t pitch_35 = pitch_31 < INT64_C(288230376151711744) /* 1/4 */;
-    const int64_t pitch_36 = clamp_64(pitch_31, INT64_C(0), INT64_C(288230376151711744));  /* F60, |x| <= 0.25 */
+    /* F60, |x| <= 0.25 */
+    const int64_t pitch_36 = clamp_64(pitch_31, INT64_C(0), INT64_C(288230376151711744));
     const int64_t pitch_37 = pitch_36 * INT64_C(1);  /* F58, |x| <= 1 */
     const int64_t pitch_38 = pitch_37 * INT64_C(4);  /* F60 */
     const int64_t pitch_39 = (pitch_35 != 0) ? pitch_38 : pitch_31;  /* F60, |x| <= 2.02 */
@@ -714,19 +736,24 @@ void rotation_vector_3_coning_fixed32_euler(
     const int32_t pitch_44 = clamp_32(pitch_43, 134217728, 536870912);  /* F27, |x| <= 4 */
     const int32_t pitch_45 = clamp_32(pitch_44, 134217728, 536870912);  /* F27, |x| <= 4 */
     const int64_t pitch_46 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_45;  /* F65 */
-    const int64_t pitch_47 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_46;  /* F65 */
+    /* F65 */
+    const int64_t pitch_47 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_46;
     const int32_t pitch_48 = round_30(pitch_47);  /* F35, |x| <= 0.0387 */
     const int64_t pitch_49 = (int64_t)pitch_45 * pitch_48;  /* F62 */
-    const int64_t pitch_50 = pitch_49 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;  /* F62 */
+    /* F62 */
+    const int64_t pitch_50 = pitch_49 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;
     const int32_t pitch_51 = round_29(pitch_50);  /* F33, |x| <= 0.226 */
     const int64_t pitch_52 = (int64_t)pitch_45 * pitch_51;  /* F60 */
-    const int64_t pitch_53 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_52;  /* F60 */
+    /* F60 */
+    const int64_t pitch_53 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_52;
     const int32_t pitch_54 = round_29(pitch_53);  /* F31, |x| <= 0.725 */
     const int64_t pitch_55 = (int64_t)pitch_45 * pitch_54;  /* F58 */
-    const int64_t pitch_56 = pitch_55 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;  /* F58 */
+    /* F58 */
+    const int64_t pitch_56 = pitch_55 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;
     const int32_t pitch_57 = round_28(pitch_56);  /* F30, |x| <= 1.82 */
     const int64_t pitch_58 = (int64_t)pitch_45 * pitch_57;  /* F57 */
-    const int64_t pitch_59 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_58;  /* F57 */
+    /* F57 */
+    const int64_t pitch_59 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_58;
     const int32_t pitch_60 = round_29(pitch_59);  /* F28, |x| <= 7.44 */
     const int32_t pitch_61 = clamp_32(pitch_60, 67108864, 335544320);  /* F28, |x| <= 1.25 */
     const int64_t pitch_62 = (int64_t)pitch_61 * pitch_61;  /* F56 */
@@ -757,13 +784,16 @@ void rotation_vector_3_coning_fixed32_euler(
     const int64_t pitch_87 = (int64_t)half_sum_2 * half_sum_2;  /* F58 */
     const int64_t pitch_88 = pitch_86 + pitch_87;  /* F60, |x| <= 2.02 */
     const int32_t pitch_89 = pitch_88 < INT64_C(268435456) /* 1/4294967296 */;
-    const int32_t pitch_90 = clamp_64_to_32(pitch_88, INT64_C(0), INT64_C(268435456));  /* F60, |x| <= 2.33e-10 */
+    /* F60, |x| <= 2.33e-10 */
+    const int32_t pitch_90 = clamp_64_to_32(pitch_88, INT64_C(0), INT64_C(268435456));
     const int64_t pitch_91 = pitch_90 * INT64_C(1);  /* F28, |x| <= 1 */
     const int64_t pitch_92 = pitch_91 * INT64_C(4294967296);  /* F60 */
     const int64_t pitch_93 = (pitch_89 != 0) ? pitch_92 : pitch_88;  /* F60, |x| <= 2.02 */
-    const int32_t pitch_94 = (pitch_89 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;  /* F31, |x| <= 0.501 */
+    /* F31, |x| <= 0.501 */
+    const int32_t pitch_94 = (pitch_89 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;
     const int32_t pitch_95 = pitch_93 < INT64_C(17592186044416) /* 1/65536 */;
-    const int64_t pitch_96 = clamp_64(pitch_93, INT64_C(0), INT64_C(17592186044416));  /* F60, |x| <= 1.53e-05 */
+    /* F60, |x| <= 1.53e-05 */
+    const int64_t pitch_96 = clamp_64(pitch_93, INT64_C(0), INT64_C(17592186044416));
     const int64_t pitch_97 = pitch_96 * INT64_C(1);  /* F44, |x| <= 1 */
     const int64_t pitch_98 = pitch_97 * INT64_C(65536);  /* F60 */
     const int64_t pitch_99 = (pitch_95 != 0) ? pitch_98 : pitch_93;  /* F60, |x| <= 2.02 */
@@ -771,7 +801,8 @@ void rotation_vector_3_coning_fixed32_euler(
     const int32_t pitch_101 = round_short_8(pitch_100);  /* F31 */
     const int32_t pitch_102 = (pitch_95 != 0) ? pitch_101 : pitch_94;  /* F31, |x| <= 0.501 */
     const int32_t pitch_103 = pitch_99 < INT64_C(4503599627370496) /* 1/256 */;
-    const int64_t pitch_104 = clamp_64(pitch_99, INT64_C(0), INT64_C(4503599627370496));  /* F60, |x| <= 0.00391 */
+    /* F60, |x| <= 0.00391 */
+    const int64_t pitch_104 = clamp_64(pitch_99, INT64_C(0), INT64_C(4503599627370496));
     const int64_t pitch_105 = pitch_104 * INT64_C(1);  /* F52, |x| <= 1 */
     const int64_t pitch_106 = pitch_105 * INT64_C(256);  /* F60 */
     const int64_t pitch_107 = (pitch_103 != 0) ? pitch_106 : pitch_99;  /* F60, |x| <= 2.02 */
@@ -779,7 +810,8 @@ void rotation_vector_3_coning_fixed32_euler(
     const int32_t pitch_109 = round_short_4(pitch_108);  /* F31 */
     const int32_t pitch_110 = (pitch_103 != 0) ? pitch_109 : pitch_102;  /* F31, |x| <= 0.501 */
     const int32_t pitch_111 = pitch_107 < INT64_C(72057594037927936) /* 1/16 */;
-    const int64_t pitch_112 = clamp_64(pitch_107, INT64_C(0), INT64_C(72057594037927936));  /* F60, |x| <= 0.0625 */
+    /* F60, |x| <= 0.0625 */
+    const int64_t pitch_112 = clamp_64(pitch_107, INT64_C(0), INT64_C(72057594037927936));
     const int64_t pitch_113 = pitch_112 * INT64_C(1);  /* F56, |x| <= 1 */
     const int64_t pitch_114 = pitch_113 * INT64_C(16);  /* F60 */
     const int64_t pitch_115 = (pitch_111 != 0) ? pitch_114 : pitch_107;  /* F60, |x| <= 2.02 */
@@ -787,7 +819,8 @@ void rotation_vector_3_coning_fixed32_euler(
     const int32_t pitch_117 = round_short_2(pitch_116);  /* F31 */
     const int32_t pitch_118 = (pitch_111 != 0) ? pitch_117 : pitch_110;  /* F31, |x| <= 0.501 */
     const int32_t pitch_119 = pitch_115 < INT64_C(288230376151711744) /* 1/4 */;
-    const int64_t pitch_120 = clamp_64(pitch_115, INT64_C(0), INT64_C(288230376151711744));  /* F60, |x| <= 0.25 */
+    /* F60, |x| <= 0.25 */
+    const int64_t pitch_120 = clamp_64(pitch_115, INT64_C(0), INT64_C(288230376151711744));
     const int64_t pitch_121 = pitch_120 * INT64_C(1);  /* F58, |x| <= 1 */
     const int64_t pitch_122 = pitch_121 * INT64_C(4);  /* F60 */
     const int64_t pitch_123 = (pitch_119 != 0) ? pitch_122 : pitch_115;  /* F60, |x| <= 2.02 */
@@ -798,19 +831,24 @@ void rotation_vector_3_coning_fixed32_euler(
     const int32_t pitch_128 = clamp_32(pitch_127, 134217728, 536870912);  /* F27, |x| <= 4 */
     const int32_t pitch_129 = clamp_32(pitch_128, 134217728, 536870912);  /* F27, |x| <= 4 */
     const int64_t pitch_130 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_129;  /* F65 */
-    const int64_t pitch_131 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_130;  /* F65 */
+    /* F65 */
+    const int64_t pitch_131 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_130;
     const int32_t pitch_132 = round_30(pitch_131);  /* F35, |x| <= 0.0387 */
     const int64_t pitch_133 = (int64_t)pitch_129 * pitch_132;  /* F62 */
-    const int64_t pitch_134 = pitch_133 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;  /* F62 */
+    /* F62 */
+    const int64_t pitch_134 = pitch_133 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;
     const int32_t pitch_135 = round_29(pitch_134);  /* F33, |x| <= 0.226 */
     const int64_t pitch_136 = (int64_t)pitch_129 * pitch_135;  /* F60 */
-    const int64_t pitch_137 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_136;  /* F60 */
+    /* F60 */
+    const int64_t pitch_137 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_136;
     const int32_t pitch_138 = round_29(pitch_137);  /* F31, |x| <= 0.725 */
     const int64_t pitch_139 = (int64_t)pitch_129 * pitch_138;  /* F58 */
-    const int64_t pitch_140 = pitch_139 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;  /* F58 */
+    /* F58 */
+    const int64_t pitch_140 = pitch_139 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;
     const int32_t pitch_141 = round_28(pitch_140);  /* F30, |x| <= 1.82 */
     const int64_t pitch_142 = (int64_t)pitch_129 * pitch_141;  /* F57 */
-    const int64_t pitch_143 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_142;  /* F57 */
+    /* F57 */
+    const int64_t pitch_143 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_142;
     const int32_t pitch_144 = round_29(pitch_143);  /* F28, |x| <= 7.44 */
     const int32_t pitch_145 = clamp_32(pitch_144, 67108864, 335544320);  /* F28, |x| <= 1.25 */
     const int64_t pitch_146 = (int64_t)pitch_145 * pitch_145;  /* F56 */
@@ -862,7 +900,8 @@ void rotation_vector_3_coning_fixed32_euler(
     const int32_t pitch_192 = clamp_32(pitch_191, 2, 2147483647);  /* F28, |x| <= 5.01 */
     const int64_t pitch_193 = pitch_187 * INT64_C(4294967296);  /* F60 */
     const int64_t pitch_194 = pitch_193 / pitch_192;  /* F32, |x| <= 6.72e+08 */
-    const int32_t pitch_195 = clamp_64_to_32(pitch_194, INT64_C(-1779404950), INT64_C(1779404950));  /* F32, |x| <= 0.415 */
+    /* F32, |x| <= 0.415 */
+    const int32_t pitch_195 = clamp_64_to_32(pitch_194, INT64_C(-1779404950), INT64_C(1779404950));
     const int64_t pitch_196 = (int64_t)pitch_195 * pitch_195;  /* F64 */
     const int32_t pitch_197 = round_31(pitch_196);  /* F33, |x| <= 0.172 */
     const int64_t pitch_198 = (int64_t)510875761 /* 382/6423 */ * pitch_197;  /* F66 */

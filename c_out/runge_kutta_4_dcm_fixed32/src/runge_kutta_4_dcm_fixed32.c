@@ -44,7 +44,6 @@
 #error "runge_kutta_4_dcm_fixed32.h is of another version than this file: generate both again"
 #endif
 
-
 /* x / 2^bits, rounded down, 0 <= bits < 32. */
 static inline int32_t shift_right_32(int32_t x, int bits)
 {
@@ -745,19 +744,24 @@ void runge_kutta_4_dcm_fixed32_quaternion(const runge_kutta_4_dcm_fixed32_state 
     /* scale = 1/(2 sqrt(largest)) */
     const int32_t q_nb_w_5 = clamp_32(largest, 268435456, 1073741824);  /* F28, |x| <= 4 */
     const int64_t q_nb_w_6 = (int64_t)747135655 /* 47816681919/17592186044416 */ * q_nb_w_5;  /* F66 */
-    const int64_t q_nb_w_7 = INT64_C(3055335112074854400) /* 182112164025/4398046511104 */ - q_nb_w_6;  /* F66 */
+    /* F66 */
+    const int64_t q_nb_w_7 = INT64_C(3055335112074854400) /* 182112164025/4398046511104 */ - q_nb_w_6;
     const int32_t q_nb_w_8 = round_31(q_nb_w_7);  /* F35, |x| <= 0.0387 */
     const int64_t q_nb_w_9 = (int64_t)q_nb_w_5 * q_nb_w_8;  /* F63 */
-    const int64_t q_nb_w_10 = q_nb_w_9 - INT64_C(2359226658135736320) /* 2249933870445/8796093022208 */;  /* F63 */
+    /* F63 */
+    const int64_t q_nb_w_10 = q_nb_w_9 - INT64_C(2359226658135736320) /* 2249933870445/8796093022208 */;
     const int32_t q_nb_w_11 = round_30(q_nb_w_10);  /* F33, |x| <= 0.226 */
     const int64_t q_nb_w_12 = (int64_t)q_nb_w_5 * q_nb_w_11;  /* F61 */
-    const int64_t q_nb_w_13 = INT64_C(1903359871809486848) /* 1815185424623/2199023255552 */ + q_nb_w_12;  /* F61 */
+    /* F61 */
+    const int64_t q_nb_w_13 = INT64_C(1903359871809486848) /* 1815185424623/2199023255552 */ + q_nb_w_12;
     const int32_t q_nb_w_14 = round_30(q_nb_w_13);  /* F31, |x| <= 0.725 */
     const int64_t q_nb_w_15 = (int64_t)q_nb_w_5 * q_nb_w_14;  /* F59 */
-    const int64_t q_nb_w_16 = q_nb_w_15 - INT64_C(873312016427581440) /* 13325683844415/8796093022208 */;  /* F59 */
+    /* F59 */
+    const int64_t q_nb_w_16 = q_nb_w_15 - INT64_C(873312016427581440) /* 13325683844415/8796093022208 */;
     const int32_t q_nb_w_17 = round_29(q_nb_w_16);  /* F30, |x| <= 1.82 */
     const int64_t q_nb_w_18 = (int64_t)q_nb_w_5 * q_nb_w_17;  /* F58 */
-    const int64_t q_nb_w_19 = INT64_C(549302309616861184) /* 33526752295951/17592186044416 */ + q_nb_w_18;  /* F58 */
+    /* F58 */
+    const int64_t q_nb_w_19 = INT64_C(549302309616861184) /* 33526752295951/17592186044416 */ + q_nb_w_18;
     const int32_t q_nb_w_20 = round_30(q_nb_w_19);  /* F28, |x| <= 7.44 */
     const int32_t q_nb_w_21 = clamp_32(q_nb_w_20, 67108864, 335544320);  /* F28, |x| <= 1.25 */
     const int64_t q_nb_w_22 = (int64_t)q_nb_w_21 * q_nb_w_21;  /* F56 */
@@ -904,19 +908,24 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     /* scale = 1/(2 sqrt(largest)) */
     const int32_t q_nb_w_4 = clamp_32(largest, 268435456, 1073741824);  /* F28, |x| <= 4 */
     const int64_t q_nb_w_5 = (int64_t)747135655 /* 47816681919/17592186044416 */ * q_nb_w_4;  /* F66 */
-    const int64_t q_nb_w_6 = INT64_C(3055335112074854400) /* 182112164025/4398046511104 */ - q_nb_w_5;  /* F66 */
+    /* F66 */
+    const int64_t q_nb_w_6 = INT64_C(3055335112074854400) /* 182112164025/4398046511104 */ - q_nb_w_5;
     const int32_t q_nb_w_7 = round_31(q_nb_w_6);  /* F35, |x| <= 0.0387 */
     const int64_t q_nb_w_8 = (int64_t)q_nb_w_4 * q_nb_w_7;  /* F63 */
-    const int64_t q_nb_w_9 = q_nb_w_8 - INT64_C(2359226658135736320) /* 2249933870445/8796093022208 */;  /* F63 */
+    /* F63 */
+    const int64_t q_nb_w_9 = q_nb_w_8 - INT64_C(2359226658135736320) /* 2249933870445/8796093022208 */;
     const int32_t q_nb_w_10 = round_30(q_nb_w_9);  /* F33, |x| <= 0.226 */
     const int64_t q_nb_w_11 = (int64_t)q_nb_w_4 * q_nb_w_10;  /* F61 */
-    const int64_t q_nb_w_12 = INT64_C(1903359871809486848) /* 1815185424623/2199023255552 */ + q_nb_w_11;  /* F61 */
+    /* F61 */
+    const int64_t q_nb_w_12 = INT64_C(1903359871809486848) /* 1815185424623/2199023255552 */ + q_nb_w_11;
     const int32_t q_nb_w_13 = round_30(q_nb_w_12);  /* F31, |x| <= 0.725 */
     const int64_t q_nb_w_14 = (int64_t)q_nb_w_4 * q_nb_w_13;  /* F59 */
-    const int64_t q_nb_w_15 = q_nb_w_14 - INT64_C(873312016427581440) /* 13325683844415/8796093022208 */;  /* F59 */
+    /* F59 */
+    const int64_t q_nb_w_15 = q_nb_w_14 - INT64_C(873312016427581440) /* 13325683844415/8796093022208 */;
     const int32_t q_nb_w_16 = round_29(q_nb_w_15);  /* F30, |x| <= 1.82 */
     const int64_t q_nb_w_17 = (int64_t)q_nb_w_4 * q_nb_w_16;  /* F58 */
-    const int64_t q_nb_w_18 = INT64_C(549302309616861184) /* 33526752295951/17592186044416 */ + q_nb_w_17;  /* F58 */
+    /* F58 */
+    const int64_t q_nb_w_18 = INT64_C(549302309616861184) /* 33526752295951/17592186044416 */ + q_nb_w_17;
     const int32_t q_nb_w_19 = round_30(q_nb_w_18);  /* F28, |x| <= 7.44 */
     const int32_t q_nb_w_20 = clamp_32(q_nb_w_19, 67108864, 335544320);  /* F28, |x| <= 1.25 */
     const int64_t q_nb_w_21 = (int64_t)q_nb_w_20 * q_nb_w_20;  /* F56 */
@@ -984,7 +993,8 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int32_t half_sum_25 = clamp_32(half_sum_24, 2, 2147483647);  /* F28, |x| <= 4.04 */
     const int64_t half_sum_26 = half_sum_20 * INT64_C(4294967296);  /* F60 */
     const int64_t half_sum_27 = half_sum_26 / half_sum_25;  /* F32, |x| <= 5.42e+08 */
-    const int32_t half_sum_28 = clamp_64_to_32(half_sum_27, INT64_C(-1779404950), INT64_C(1779404950));  /* F32, |x| <= 0.415 */
+    /* F32, |x| <= 0.415 */
+    const int32_t half_sum_28 = clamp_64_to_32(half_sum_27, INT64_C(-1779404950), INT64_C(1779404950));
     const int64_t half_sum_29 = (int64_t)half_sum_28 * half_sum_28;  /* F64 */
     const int32_t half_sum_30 = round_31(half_sum_29);  /* F33, |x| <= 0.172 */
     const int64_t half_sum_31 = (int64_t)510875761 /* 382/6423 */ * half_sum_30;  /* F66 */
@@ -1021,14 +1031,19 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     /* half_difference = (yaw - roll)/2   [zyx] */
     const int32_t half_difference_3 = half_difference_1 < 0;
     const int32_t half_difference_4 = -half_difference_1;  /* F29, |x| <= 2.02 */
-    const int32_t half_difference_5 = (half_difference_3 != 0) ? half_difference_4 : half_difference_1;  /* F29, |x| <= 2.02 */
+    /* F29, |x| <= 2.02 */
+    const int32_t half_difference_5 = (half_difference_3 != 0) ? half_difference_4 : half_difference_1;
     const int32_t half_difference_6 = half_difference_2 < 0;
     const int32_t half_difference_7 = -half_difference_2;  /* F29, |x| <= 2.02 */
-    const int32_t half_difference_8 = (half_difference_6 != 0) ? half_difference_7 : half_difference_2;  /* F29, |x| <= 2.02 */
+    /* F29, |x| <= 2.02 */
+    const int32_t half_difference_8 = (half_difference_6 != 0) ? half_difference_7 : half_difference_2;
     const int32_t half_difference_9 = half_difference_8 < half_difference_5;
-    const int32_t half_difference_10 = (half_difference_9 != 0) ? half_difference_8 : half_difference_5;  /* F29, |x| <= 2.02 */
-    const int32_t half_difference_11 = (half_difference_9 != 0) ? half_difference_5 : half_difference_8;  /* F29, |x| <= 2.02 */
-    const int64_t half_difference_12 = (int64_t)889516847 /* 10355339/25000000 */ * half_difference_11;  /* F60 */
+    /* F29, |x| <= 2.02 */
+    const int32_t half_difference_10 = (half_difference_9 != 0) ? half_difference_8 : half_difference_5;
+    /* F29, |x| <= 2.02 */
+    const int32_t half_difference_11 = (half_difference_9 != 0) ? half_difference_5 : half_difference_8;
+    /* F60 */
+    const int64_t half_difference_12 = (int64_t)889516847 /* 10355339/25000000 */ * half_difference_11;
     const int32_t half_difference_13 = round_29(half_difference_12);  /* F31, |x| <= 0.835 */
     const int64_t half_difference_14 = half_difference_13 * INT64_C(1);  /* F31 */
     const int64_t half_difference_15 = half_difference_10 * INT64_C(4);  /* F31 */
@@ -1036,28 +1051,35 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int64_t half_difference_17 = (int64_t)half_difference_10 - half_difference_11;  /* F29 */
     const int32_t half_difference_18 = round_1(half_difference_17);  /* F28, |x| <= 4.04 */
     const int32_t half_difference_19 = round_short_1(half_difference_10);  /* F28 */
-    const int32_t half_difference_20 = (half_difference_16 != 0) ? half_difference_18 : half_difference_19;  /* F28, |x| <= 4.04 */
+    /* F28, |x| <= 4.04 */
+    const int32_t half_difference_20 = (half_difference_16 != 0) ? half_difference_18 : half_difference_19;
     const int64_t half_difference_21 = (int64_t)half_difference_10 + half_difference_11;  /* F29 */
     const int32_t half_difference_22 = round_1(half_difference_21);  /* F28, |x| <= 4.04 */
     const int32_t half_difference_23 = round_short_1(half_difference_11);  /* F28 */
-    const int32_t half_difference_24 = (half_difference_16 != 0) ? half_difference_22 : half_difference_23;  /* F28, |x| <= 4.04 */
+    /* F28, |x| <= 4.04 */
+    const int32_t half_difference_24 = (half_difference_16 != 0) ? half_difference_22 : half_difference_23;
     const int32_t half_difference_25 = clamp_32(half_difference_24, 2, 2147483647);  /* F28, |x| <= 4.04 */
     const int64_t half_difference_26 = half_difference_20 * INT64_C(4294967296);  /* F60 */
     const int64_t half_difference_27 = half_difference_26 / half_difference_25;  /* F32, |x| <= 5.42e+08 */
-    const int32_t half_difference_28 = clamp_64_to_32(half_difference_27, INT64_C(-1779404950), INT64_C(1779404950));  /* F32, |x| <= 0.415 */
+    /* F32, |x| <= 0.415 */
+    const int32_t half_difference_28 = clamp_64_to_32(half_difference_27, INT64_C(-1779404950), INT64_C(1779404950));
     const int64_t half_difference_29 = (int64_t)half_difference_28 * half_difference_28;  /* F64 */
     const int32_t half_difference_30 = round_31(half_difference_29);  /* F33, |x| <= 0.172 */
     const int64_t half_difference_31 = (int64_t)510875761 /* 382/6423 */ * half_difference_30;  /* F66 */
-    const int64_t half_difference_32 = INT64_C(7773993415904670242) /* 1650/15661 */ - half_difference_31;  /* F66 */
+    /* F66 */
+    const int64_t half_difference_32 = INT64_C(7773993415904670242) /* 1650/15661 */ - half_difference_31;
     const int32_t half_difference_33 = round_34(half_difference_32);  /* F32, |x| <= 0.106 */
     const int64_t half_difference_34 = (int64_t)half_difference_30 * half_difference_33;  /* F65 */
-    const int64_t half_difference_35 = half_difference_34 - INT64_C(5251586747234353517) /* 7339/51558 */;  /* F65 */
+    /* F65 */
+    const int64_t half_difference_35 = half_difference_34 - INT64_C(5251586747234353517) /* 7339/51558 */;
     const int32_t half_difference_36 = round_33(half_difference_35);  /* F32, |x| <= 0.143 */
     const int64_t half_difference_37 = (int64_t)half_difference_30 * half_difference_36;  /* F65 */
-    const int64_t half_difference_38 = INT64_C(7377920055805538292) /* 58828/294171 */ + half_difference_37;  /* F65 */
+    /* F65 */
+    const int64_t half_difference_38 = INT64_C(7377920055805538292) /* 58828/294171 */ + half_difference_37;
     const int32_t half_difference_39 = round_34(half_difference_38);  /* F31, |x| <= 0.2 */
     const int64_t half_difference_40 = (int64_t)half_difference_30 * half_difference_39;  /* F64 */
-    const int64_t half_difference_41 = half_difference_40 - INT64_C(6148909082171862706) /* 365415/1096246 */;  /* F64 */
+    /* F64 */
+    const int64_t half_difference_41 = half_difference_40 - INT64_C(6148909082171862706) /* 365415/1096246 */;
     const int32_t half_difference_42 = round_32(half_difference_41);  /* F32, |x| <= 0.334 */
     const int64_t half_difference_43 = (int64_t)half_difference_30 * half_difference_42;  /* F65 */
     const int32_t half_difference_44 = round_30(half_difference_43);  /* F35, |x| <= 0.0573 */
@@ -1067,29 +1089,36 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int64_t half_difference_48 = INT64_C(3373259426) + half_difference_47;  /* F32 */
     const int32_t half_difference_49 = round_2(half_difference_48);  /* F30, |x| <= 1.23 */
     const int32_t half_difference_50 = round_short_2(half_difference_47);  /* F30 */
-    const int32_t half_difference_51 = (half_difference_16 != 0) ? half_difference_49 : half_difference_50;  /* F30, |x| <= 1.23 */
+    /* F30, |x| <= 1.23 */
+    const int32_t half_difference_51 = (half_difference_16 != 0) ? half_difference_49 : half_difference_50;
     const int64_t half_difference_52 = INT64_C(1686629713) - half_difference_51;  /* F30 */
     const int32_t half_difference_53 = round_1(half_difference_52);  /* F29, |x| <= 2.01 */
     const int32_t half_difference_54 = round_short_1(half_difference_51);  /* F29 */
-    const int32_t half_difference_55 = (half_difference_9 != 0) ? half_difference_53 : half_difference_54;  /* F29, |x| <= 2.01 */
+    /* F29, |x| <= 2.01 */
+    const int32_t half_difference_55 = (half_difference_9 != 0) ? half_difference_53 : half_difference_54;
     const int64_t half_difference_56 = INT64_C(1686629713) - half_difference_55;  /* F29 */
     const int32_t half_difference_57 = (int32_t)half_difference_56;  /* F29, |x| <= 3.58 */
-    const int32_t half_difference_58 = (half_difference_6 != 0) ? half_difference_57 : half_difference_55;  /* F29, |x| <= 3.58 */
+    /* F29, |x| <= 3.58 */
+    const int32_t half_difference_58 = (half_difference_6 != 0) ? half_difference_57 : half_difference_55;
     const int32_t half_difference_59 = -half_difference_58;  /* F29, |x| <= 3.58 */
-    const int32_t half_difference = (half_difference_3 != 0) ? half_difference_59 : half_difference_58;  /* F29, |x| <= 3.58 */
+    /* F29, |x| <= 3.58 */
+    const int32_t half_difference = (half_difference_3 != 0) ? half_difference_59 : half_difference_58;
 
     /* pitch = 2 atan(sqrt(up/down)) - pi/2   [zyx] */
     const int64_t pitch_1 = (int64_t)half_difference_2 * half_difference_2;  /* F58 */
     const int64_t pitch_3 = (int64_t)half_difference_1 * half_difference_1;  /* F58 */
     const int64_t pitch_4 = pitch_1 + pitch_3;  /* F60, |x| <= 2.04 */
     const int32_t pitch_5 = pitch_4 < INT64_C(268435456) /* 1/4294967296 */;
-    const int32_t pitch_6 = clamp_64_to_32(pitch_4, INT64_C(0), INT64_C(268435456));  /* F60, |x| <= 2.33e-10 */
+    /* F60, |x| <= 2.33e-10 */
+    const int32_t pitch_6 = clamp_64_to_32(pitch_4, INT64_C(0), INT64_C(268435456));
     const int64_t pitch_7 = pitch_6 * INT64_C(1);  /* F28, |x| <= 1 */
     const int64_t pitch_8 = pitch_7 * INT64_C(4294967296);  /* F60 */
     const int64_t pitch_9 = (pitch_5 != 0) ? pitch_8 : pitch_4;  /* F60, |x| <= 2.04 */
-    const int32_t pitch_10 = (pitch_5 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;  /* F31, |x| <= 0.501 */
+    /* F31, |x| <= 0.501 */
+    const int32_t pitch_10 = (pitch_5 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;
     const int32_t pitch_11 = pitch_9 < INT64_C(17592186044416) /* 1/65536 */;
-    const int64_t pitch_12 = clamp_64(pitch_9, INT64_C(0), INT64_C(17592186044416));  /* F60, |x| <= 1.53e-05 */
+    /* F60, |x| <= 1.53e-05 */
+    const int64_t pitch_12 = clamp_64(pitch_9, INT64_C(0), INT64_C(17592186044416));
     const int64_t pitch_13 = pitch_12 * INT64_C(1);  /* F44, |x| <= 1 */
     const int64_t pitch_14 = pitch_13 * INT64_C(65536);  /* F60 */
     const int64_t pitch_15 = (pitch_11 != 0) ? pitch_14 : pitch_9;  /* F60, |x| <= 2.04 */
@@ -1097,7 +1126,8 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int32_t pitch_17 = round_short_8(pitch_16);  /* F31 */
     const int32_t pitch_18 = (pitch_11 != 0) ? pitch_17 : pitch_10;  /* F31, |x| <= 0.501 */
     const int32_t pitch_19 = pitch_15 < INT64_C(4503599627370496) /* 1/256 */;
-    const int64_t pitch_20 = clamp_64(pitch_15, INT64_C(0), INT64_C(4503599627370496));  /* F60, |x| <= 0.00391 */
+    /* F60, |x| <= 0.00391 */
+    const int64_t pitch_20 = clamp_64(pitch_15, INT64_C(0), INT64_C(4503599627370496));
     const int64_t pitch_21 = pitch_20 * INT64_C(1);  /* F52, |x| <= 1 */
     const int64_t pitch_22 = pitch_21 * INT64_C(256);  /* F60 */
     const int64_t pitch_23 = (pitch_19 != 0) ? pitch_22 : pitch_15;  /* F60, |x| <= 2.04 */
@@ -1105,7 +1135,8 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int32_t pitch_25 = round_short_4(pitch_24);  /* F31 */
     const int32_t pitch_26 = (pitch_19 != 0) ? pitch_25 : pitch_18;  /* F31, |x| <= 0.501 */
     const int32_t pitch_27 = pitch_23 < INT64_C(72057594037927936) /* 1/16 */;
-    const int64_t pitch_28 = clamp_64(pitch_23, INT64_C(0), INT64_C(72057594037927936));  /* F60, |x| <= 0.0625 */
+    /* F60, |x| <= 0.0625 */
+    const int64_t pitch_28 = clamp_64(pitch_23, INT64_C(0), INT64_C(72057594037927936));
     const int64_t pitch_29 = pitch_28 * INT64_C(1);  /* F56, |x| <= 1 */
     const int64_t pitch_30 = pitch_29 * INT64_C(16);  /* F60 */
     const int64_t pitch_31 = (pitch_27 != 0) ? pitch_30 : pitch_23;  /* F60, |x| <= 2.04 */
@@ -1113,7 +1144,8 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int32_t pitch_33 = round_short_2(pitch_32);  /* F31 */
     const int32_t pitch_34 = (pitch_27 != 0) ? pitch_33 : pitch_26;  /* F31, |x| <= 0.501 */
     const int32_t pitch_35 = pitch_31 < INT64_C(288230376151711744) /* 1/4 */;
-    const int64_t pitch_36 = clamp_64(pitch_31, INT64_C(0), INT64_C(288230376151711744));  /* F60, |x| <= 0.25 */
+    /* F60, |x| <= 0.25 */
+    const int64_t pitch_36 = clamp_64(pitch_31, INT64_C(0), INT64_C(288230376151711744));
     const int64_t pitch_37 = pitch_36 * INT64_C(1);  /* F58, |x| <= 1 */
     const int64_t pitch_38 = pitch_37 * INT64_C(4);  /* F60 */
     const int64_t pitch_39 = (pitch_35 != 0) ? pitch_38 : pitch_31;  /* F60, |x| <= 2.04 */
@@ -1124,19 +1156,24 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int32_t pitch_44 = clamp_32(pitch_43, 134217728, 536870912);  /* F27, |x| <= 4 */
     const int32_t pitch_45 = clamp_32(pitch_44, 134217728, 536870912);  /* F27, |x| <= 4 */
     const int64_t pitch_46 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_45;  /* F65 */
-    const int64_t pitch_47 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_46;  /* F65 */
+    /* F65 */
+    const int64_t pitch_47 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_46;
     const int32_t pitch_48 = round_30(pitch_47);  /* F35, |x| <= 0.0387 */
     const int64_t pitch_49 = (int64_t)pitch_45 * pitch_48;  /* F62 */
-    const int64_t pitch_50 = pitch_49 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;  /* F62 */
+    /* F62 */
+    const int64_t pitch_50 = pitch_49 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;
     const int32_t pitch_51 = round_29(pitch_50);  /* F33, |x| <= 0.226 */
     const int64_t pitch_52 = (int64_t)pitch_45 * pitch_51;  /* F60 */
-    const int64_t pitch_53 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_52;  /* F60 */
+    /* F60 */
+    const int64_t pitch_53 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_52;
     const int32_t pitch_54 = round_29(pitch_53);  /* F31, |x| <= 0.725 */
     const int64_t pitch_55 = (int64_t)pitch_45 * pitch_54;  /* F58 */
-    const int64_t pitch_56 = pitch_55 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;  /* F58 */
+    /* F58 */
+    const int64_t pitch_56 = pitch_55 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;
     const int32_t pitch_57 = round_28(pitch_56);  /* F30, |x| <= 1.82 */
     const int64_t pitch_58 = (int64_t)pitch_45 * pitch_57;  /* F57 */
-    const int64_t pitch_59 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_58;  /* F57 */
+    /* F57 */
+    const int64_t pitch_59 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_58;
     const int32_t pitch_60 = round_29(pitch_59);  /* F28, |x| <= 7.44 */
     const int32_t pitch_61 = clamp_32(pitch_60, 67108864, 335544320);  /* F28, |x| <= 1.25 */
     const int64_t pitch_62 = (int64_t)pitch_61 * pitch_61;  /* F56 */
@@ -1167,13 +1204,16 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int64_t pitch_87 = (int64_t)half_sum_1 * half_sum_1;  /* F58 */
     const int64_t pitch_88 = pitch_86 + pitch_87;  /* F60, |x| <= 2.04 */
     const int32_t pitch_89 = pitch_88 < INT64_C(268435456) /* 1/4294967296 */;
-    const int32_t pitch_90 = clamp_64_to_32(pitch_88, INT64_C(0), INT64_C(268435456));  /* F60, |x| <= 2.33e-10 */
+    /* F60, |x| <= 2.33e-10 */
+    const int32_t pitch_90 = clamp_64_to_32(pitch_88, INT64_C(0), INT64_C(268435456));
     const int64_t pitch_91 = pitch_90 * INT64_C(1);  /* F28, |x| <= 1 */
     const int64_t pitch_92 = pitch_91 * INT64_C(4294967296);  /* F60 */
     const int64_t pitch_93 = (pitch_89 != 0) ? pitch_92 : pitch_88;  /* F60, |x| <= 2.04 */
-    const int32_t pitch_94 = (pitch_89 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;  /* F31, |x| <= 0.501 */
+    /* F31, |x| <= 0.501 */
+    const int32_t pitch_94 = (pitch_89 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;
     const int32_t pitch_95 = pitch_93 < INT64_C(17592186044416) /* 1/65536 */;
-    const int64_t pitch_96 = clamp_64(pitch_93, INT64_C(0), INT64_C(17592186044416));  /* F60, |x| <= 1.53e-05 */
+    /* F60, |x| <= 1.53e-05 */
+    const int64_t pitch_96 = clamp_64(pitch_93, INT64_C(0), INT64_C(17592186044416));
     const int64_t pitch_97 = pitch_96 * INT64_C(1);  /* F44, |x| <= 1 */
     const int64_t pitch_98 = pitch_97 * INT64_C(65536);  /* F60 */
     const int64_t pitch_99 = (pitch_95 != 0) ? pitch_98 : pitch_93;  /* F60, |x| <= 2.04 */
@@ -1181,7 +1221,8 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int32_t pitch_101 = round_short_8(pitch_100);  /* F31 */
     const int32_t pitch_102 = (pitch_95 != 0) ? pitch_101 : pitch_94;  /* F31, |x| <= 0.501 */
     const int32_t pitch_103 = pitch_99 < INT64_C(4503599627370496) /* 1/256 */;
-    const int64_t pitch_104 = clamp_64(pitch_99, INT64_C(0), INT64_C(4503599627370496));  /* F60, |x| <= 0.00391 */
+    /* F60, |x| <= 0.00391 */
+    const int64_t pitch_104 = clamp_64(pitch_99, INT64_C(0), INT64_C(4503599627370496));
     const int64_t pitch_105 = pitch_104 * INT64_C(1);  /* F52, |x| <= 1 */
     const int64_t pitch_106 = pitch_105 * INT64_C(256);  /* F60 */
     const int64_t pitch_107 = (pitch_103 != 0) ? pitch_106 : pitch_99;  /* F60, |x| <= 2.04 */
@@ -1189,7 +1230,8 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int32_t pitch_109 = round_short_4(pitch_108);  /* F31 */
     const int32_t pitch_110 = (pitch_103 != 0) ? pitch_109 : pitch_102;  /* F31, |x| <= 0.501 */
     const int32_t pitch_111 = pitch_107 < INT64_C(72057594037927936) /* 1/16 */;
-    const int64_t pitch_112 = clamp_64(pitch_107, INT64_C(0), INT64_C(72057594037927936));  /* F60, |x| <= 0.0625 */
+    /* F60, |x| <= 0.0625 */
+    const int64_t pitch_112 = clamp_64(pitch_107, INT64_C(0), INT64_C(72057594037927936));
     const int64_t pitch_113 = pitch_112 * INT64_C(1);  /* F56, |x| <= 1 */
     const int64_t pitch_114 = pitch_113 * INT64_C(16);  /* F60 */
     const int64_t pitch_115 = (pitch_111 != 0) ? pitch_114 : pitch_107;  /* F60, |x| <= 2.04 */
@@ -1197,7 +1239,8 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int32_t pitch_117 = round_short_2(pitch_116);  /* F31 */
     const int32_t pitch_118 = (pitch_111 != 0) ? pitch_117 : pitch_110;  /* F31, |x| <= 0.501 */
     const int32_t pitch_119 = pitch_115 < INT64_C(288230376151711744) /* 1/4 */;
-    const int64_t pitch_120 = clamp_64(pitch_115, INT64_C(0), INT64_C(288230376151711744));  /* F60, |x| <= 0.25 */
+    /* F60, |x| <= 0.25 */
+    const int64_t pitch_120 = clamp_64(pitch_115, INT64_C(0), INT64_C(288230376151711744));
     const int64_t pitch_121 = pitch_120 * INT64_C(1);  /* F58, |x| <= 1 */
     const int64_t pitch_122 = pitch_121 * INT64_C(4);  /* F60 */
     const int64_t pitch_123 = (pitch_119 != 0) ? pitch_122 : pitch_115;  /* F60, |x| <= 2.04 */
@@ -1208,19 +1251,24 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int32_t pitch_128 = clamp_32(pitch_127, 134217728, 536870912);  /* F27, |x| <= 4 */
     const int32_t pitch_129 = clamp_32(pitch_128, 134217728, 536870912);  /* F27, |x| <= 4 */
     const int64_t pitch_130 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_129;  /* F65 */
-    const int64_t pitch_131 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_130;  /* F65 */
+    /* F65 */
+    const int64_t pitch_131 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_130;
     const int32_t pitch_132 = round_30(pitch_131);  /* F35, |x| <= 0.0387 */
     const int64_t pitch_133 = (int64_t)pitch_129 * pitch_132;  /* F62 */
-    const int64_t pitch_134 = pitch_133 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;  /* F62 */
+    /* F62 */
+    const int64_t pitch_134 = pitch_133 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;
     const int32_t pitch_135 = round_29(pitch_134);  /* F33, |x| <= 0.226 */
     const int64_t pitch_136 = (int64_t)pitch_129 * pitch_135;  /* F60 */
-    const int64_t pitch_137 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_136;  /* F60 */
+    /* F60 */
+    const int64_t pitch_137 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_136;
     const int32_t pitch_138 = round_29(pitch_137);  /* F31, |x| <= 0.725 */
     const int64_t pitch_139 = (int64_t)pitch_129 * pitch_138;  /* F58 */
-    const int64_t pitch_140 = pitch_139 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;  /* F58 */
+    /* F58 */
+    const int64_t pitch_140 = pitch_139 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;
     const int32_t pitch_141 = round_28(pitch_140);  /* F30, |x| <= 1.82 */
     const int64_t pitch_142 = (int64_t)pitch_129 * pitch_141;  /* F57 */
-    const int64_t pitch_143 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_142;  /* F57 */
+    /* F57 */
+    const int64_t pitch_143 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_142;
     const int32_t pitch_144 = round_29(pitch_143);  /* F28, |x| <= 7.44 */
     const int32_t pitch_145 = clamp_32(pitch_144, 67108864, 335544320);  /* F28, |x| <= 1.25 */
     const int64_t pitch_146 = (int64_t)pitch_145 * pitch_145;  /* F56 */
@@ -1272,7 +1320,8 @@ void runge_kutta_4_dcm_fixed32_euler(const runge_kutta_4_dcm_fixed32_state *stat
     const int32_t pitch_192 = clamp_32(pitch_191, 2, 2147483647);  /* F28, |x| <= 5.01 */
     const int64_t pitch_193 = pitch_187 * INT64_C(4294967296);  /* F60 */
     const int64_t pitch_194 = pitch_193 / pitch_192;  /* F32, |x| <= 6.72e+08 */
-    const int32_t pitch_195 = clamp_64_to_32(pitch_194, INT64_C(-1779404950), INT64_C(1779404950));  /* F32, |x| <= 0.415 */
+    /* F32, |x| <= 0.415 */
+    const int32_t pitch_195 = clamp_64_to_32(pitch_194, INT64_C(-1779404950), INT64_C(1779404950));
     const int64_t pitch_196 = (int64_t)pitch_195 * pitch_195;  /* F64 */
     const int32_t pitch_197 = round_31(pitch_196);  /* F33, |x| <= 0.172 */
     const int64_t pitch_198 = (int64_t)510875761 /* 382/6423 */ * pitch_197;  /* F66 */

@@ -104,11 +104,11 @@ class IntegerText:
 
 
 def remark(statement: Statement) -> str:
-    """Return the format and bound of a value, for the end of its line; nothing for other statements."""
+    """Return the format and bound of a value, as a comment; nothing for other statements."""
     if not isinstance(statement, Operation) or not isinstance(statement.format, Signal):
         return ""
     size = f", |x| <= {_above(statement.bound)}" if statement.bound is not None else ""
-    return f"  /* F{statement.format.fraction}{size} */"
+    return f"/* F{statement.format.fraction}{size} */"
 
 
 def _above(bound: Fraction) -> str:

@@ -201,7 +201,12 @@ class _Printer:
                 name = self.routine.names[result]
                 if isinstance(statement.format, Signal):
                     remark = c_fixed.remark(statement)
-                    yield f"const {statement.format.ctype} {name} = {self._integer(statement)};{remark}"
+                    text = f"const {statement.format.ctype} {name} = {self._integer(statement)};"
+                    if len(text) + len(remark) + 2 > LINE:
+                        yield remark
+                        yield text
+                    else:
+                        yield f"{text}  {remark}" if remark else text
                 elif op in SIGNS:
                     yield f"const {ctype} {name} = {self._use(args[0])} {SIGNS[op]} {self._use(args[1])};"
                 elif op is MachineOp.LESS:
