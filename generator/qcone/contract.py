@@ -156,7 +156,10 @@ def _accumulation(facts: Facts) -> str:
     if design.form == "as-written":
         return f"{whole}, not renormalised"
     standard = design.number.accumulate == "standard" and algorithm.state == "quaternion"
-    carried = ", the rounding carried to the next update (Kahan)" if design.number.accumulate == "compensated" else ""
+    carried = ""
+    if design.number.accumulate == "compensated":
+        kept = ", kept in twice the bits" if isinstance(facts.number, Fixed) else " (Kahan)"
+        carried = f", the rounding carried to the next update{kept}"
     word = "renormalised" if algorithm.state == "quaternion" else "re-orthogonalised"
     folded = {"every": f"{word} on every update", "separate": f"{word} by a call", "never": f"not {word}"}
     return f"{whole if standard else added}{carried}, {folded[design.renormalise]}"

@@ -6,6 +6,7 @@ import textwrap
 
 from qcone import stage_contract
 from qcone.contract import WIDTH, Facts, beyond, decimal, digits, rounding, truncation
+from qcone.formats.fixed import Fixed
 from qcone.ir.statement import Routine
 
 
@@ -117,8 +118,16 @@ def _angles(facts: Facts) -> list[str]:
             f"angles: roll, pitch, yaw, rad, convention {convention}, as they are kept: each in [-pi, pi]. "
             "Past a pole the pitch goes on beyond pi/2."
         ]
-    return [
-        f"rpy: roll, pitch, yaw, rad, convention {convention}; roll and yaw in [-pi, pi], pitch at most pi/2 in size.",
+    within = [
         "The attitude of the three angles is within 8 units in the last place of pi of the quaternion's, poles "
         "included; each angle within 4 such units over cos(pitch).",
+    ]
+    if isinstance(facts.number, Fixed):
+        within = [
+            "The attitude of the three angles is within 16 last bits of theirs of the quaternion's, poles included; "
+            "roll and yaw each within 16 such bits over cos(pitch).",
+        ]
+    return [
+        f"rpy: roll, pitch, yaw, rad, convention {convention}; roll and yaw in [-pi, pi], pitch at most pi/2 in size.",
+        *within,
     ]

@@ -70,11 +70,6 @@ FILES = {
         HEAD + 'previous = 2\ncoefficients = "taylor"\n',
         f"bad.toml:6: {NO_PAIR}",
     ),
-    "a format that is not built yet": (
-        HEAD.replace("float32", "fixed32"),
-        "bad.toml:1: error QC201: design 'mine': number.format = \"fixed32\" is not available in this version, use "
-        "float32 or float64\n",
-    ),
     "rates asked of increments": (
         HEAD.replace("rotation-vector", "adams-moulton-4"),
         "bad.toml:1: error QC207: design 'mine': adams-moulton-4-runge-kutta-4 takes rates, the design has input = "
@@ -294,7 +289,7 @@ def test_bad_words(run, words: tuple[str, ...]) -> None:
 def test_what_whole_designs_show_is_said_of_all_of_them(run, tmp_path: Path) -> None:
     second = HEAD.replace("mine", "other").replace("rotation-vector", "runge-kutta-4")
     dear = GOOD + "budget = { multiply = 3, add = 3 }\n"
-    (tmp_path / "bad.toml").write_text(f"{HEAD.replace('float32', 'fixed32')}\n{second}\n{dear}")
+    (tmp_path / "bad.toml").write_text(f"{HEAD.replace('float32', 'fixed32')}form = "as-written"\n{second}\n{dear}")
     result = run("generate", "bad.toml")
     codes = [line.split(": error ")[1][:5] for line in result.stderr.splitlines()]
     assert (result.exit_code, result.stdout, codes) == (2, "", ["QC201", "QC207"])

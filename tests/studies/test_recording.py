@@ -202,7 +202,7 @@ def test_a_bad_rate_option(csv_file: Path, hz: float, name: str, option: str) ->
 
 
 def test_an_unknown_kind(csv_file: Path) -> None:
-    assert refusal(csv_file, GOOD, "angles") == ("--input: 'angles' is not known, give one of increment, rate")
+    assert refusal(csv_file, GOOD, "angles") == ("--input: 'angles' is not known, give one of increment, rate, counts")
 
 
 # --- cutting into updates -----------------------------------------------------------------------------------

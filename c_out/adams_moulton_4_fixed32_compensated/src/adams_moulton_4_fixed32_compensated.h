@@ -4,7 +4,7 @@
  * 8dba7dd27a69fbf9f468c1a5bb888ea24642a79b341fd4cbba1b512b03909956
  *
  * algorithm:   adams-moulton-4-runge-kutta-4, form factored, q' = q + dq, the rounding carried to
- *              the next update (Kahan), renormalised on every update
+ *              the next update, kept in twice the bits, renormalised on every update
  * source:      thesis2008 Adams-Moulton, Milne
  * equation:    p = q + h (55 f_0 - 59 f_1 + 37 f_2 - 9 f_3)/24; q + h (9 f_p + 19 f_0 - 5 f_1 +
  *              f_2)/24

@@ -4,7 +4,7 @@
  * 652f0a40ef1654ed78468e2d50664704c4ffe9f011aa58ddf1c565a177e4e94a
  *
  * algorithm:   quaternion-taylor-3-8-midpoint, form factored, q' = q + q (x) (r - 1), the rounding
- *              carried to the next update (Kahan), renormalised on every update
+ *              carried to the next update, kept in twice the bits, renormalised on every update
  * source:      xu2019 (5), (7), (8)
  * equation:    r_0 = 1, r_n = 1/n sum_j r_(n-1-j) (x) A_j, r = sum r_n
  * number:      fixed32: words of 32 bits, sums in 64; every sum of products rounded once, to

@@ -4,7 +4,7 @@
  * 9b14171298474ac6d86ad9f442001eade149f9816a5fda86819d12b183ac5abc
  *
  * algorithm:   rotation-vector-3-coning, form factored, q' = q + q (x) (r - 1), the rounding
- *              carried to the next update (Kahan), renormalised on every update
+ *              carried to the next update, kept in twice the bits, renormalised on every update
  * source:      cao (12), cao (14)
  * equation:    phi = theta_1 + theta_2 + theta_3 + 9/20 theta_1 x theta_3 + 27/40 theta_2 x
  *              (theta_3 - theta_1)

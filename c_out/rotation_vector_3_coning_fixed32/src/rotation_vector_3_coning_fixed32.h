@@ -129,8 +129,8 @@ void rotation_vector_3_coning_fixed32_dcm(
  *
  * rpy: roll, pitch, yaw, rad, convention zyx; roll and yaw in [-pi, pi], pitch at most pi/2 in
  *   size.
- * The attitude of the three angles is within 8 units in the last place of pi of the quaternion's,
- *   poles included; each angle within 4 such units over cos(pitch).
+ * The attitude of the three angles is within 16 last bits of theirs of the quaternion's, poles
+ *   included; roll and yaw each within 16 such bits over cos(pitch).
  */
 void rotation_vector_3_coning_fixed32_euler(
     const rotation_vector_3_coning_fixed32_state *state, int32_t rpy[3]);

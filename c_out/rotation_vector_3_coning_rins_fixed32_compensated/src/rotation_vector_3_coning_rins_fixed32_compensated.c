@@ -4,7 +4,7 @@
  * df93b9e268c92fe753740a4652d4fd6e421dacea013b8e2311eb9cfeb3a0c7d0
  *
  * algorithm:   rotation-vector-3-coning, form factored, q' = q + q (x) (r - 1), the rounding
- *              carried to the next update (Kahan), renormalised on every update
+ *              carried to the next update, kept in twice the bits, renormalised on every update
  * source:      cao (12), cao (14)
  * stage:       encoder angle and tilt of a rotating unit corrected, rins (10) to (16); the
  *              attitude kept is the sensors'

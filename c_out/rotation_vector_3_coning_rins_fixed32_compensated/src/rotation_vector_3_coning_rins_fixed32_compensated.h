@@ -4,7 +4,7 @@
  * df93b9e268c92fe753740a4652d4fd6e421dacea013b8e2311eb9cfeb3a0c7d0
  *
  * algorithm:   rotation-vector-3-coning, form factored, q' = q + q (x) (r - 1), the rounding
- *              carried to the next update (Kahan), renormalised on every update
+ *              carried to the next update, kept in twice the bits, renormalised on every update
  * source:      cao (12), cao (14)
  * stage:       encoder angle and tilt of a rotating unit corrected, rins (10) to (16); the
  *              attitude kept is the sensors'
@@ -164,8 +164,8 @@ void rotation_vector_3_coning_rins_fixed32_compensated_dcm(
  *
  * rpy: roll, pitch, yaw, rad, convention zxy; roll and yaw in [-pi, pi], pitch at most pi/2 in
  *   size.
- * The attitude of the three angles is within 8 units in the last place of pi of the quaternion's,
- *   poles included; each angle within 4 such units over cos(pitch).
+ * The attitude of the three angles is within 16 last bits of theirs of the quaternion's, poles
+ *   included; roll and yaw each within 16 such bits over cos(pitch).
  */
 void rotation_vector_3_coning_rins_fixed32_compensated_euler(
     const rotation_vector_3_coning_rins_fixed32_compensated_state *state, int32_t rpy[3]);
@@ -224,8 +224,8 @@ void rotation_vector_3_coning_rins_fixed32_compensated_body_dcm(const int32_t q_
  * q_nb: as body_quaternion() gives it.
  * rpy: roll, pitch, yaw, rad, convention zxy; roll and yaw in [-pi, pi], pitch at most pi/2 in
  *   size.
- * The attitude of the three angles is within 8 units in the last place of pi of the quaternion's,
- *   poles included; each angle within 4 such units over cos(pitch).
+ * The attitude of the three angles is within 16 last bits of theirs of the quaternion's, poles
+ *   included; roll and yaw each within 16 such bits over cos(pitch).
  */
 void rotation_vector_3_coning_rins_fixed32_compensated_body_euler(const int32_t q_nb[4], int32_t rpy[3]);
 

@@ -4,7 +4,7 @@
  * 0d35fde05338b453ce332aad84a7c14bc45f2bc2c96f983e4a86047bbbcf0bf0
  *
  * algorithm:   rotation-vector-3-coning, form factored, q' = q + q (x) (r - 1), the rounding
- *              carried to the next update (Kahan), renormalised by a call
+ *              carried to the next update, kept in twice the bits, renormalised by a call
  * source:      cao (12), cao (14)
  * equation:    phi = theta_1 + theta_2 + theta_3 + 9/20 theta_1 x theta_3 + 27/40 theta_2 x
  *              (theta_3 - theta_1)

@@ -4,7 +4,7 @@
  * e6adf2bade428b0909970f9e0b47b098f85a081dca052b9e5cff8d60c2a09e7c
  *
  * algorithm:   rotation-vector-4-expanded, form factored, q' = q + q (x) (r - 1), the rounding
- *              carried to the next update (Kahan), renormalised on every update
+ *              carried to the next update, kept in twice the bits, renormalised on every update
  * source:      song2013 expanded coning, derived here, cao (14)
  * equation:    phi = theta_1 + theta_2 + theta_3 + theta_4 + sum k_ij theta_i x theta_j
  * number:      fixed32: words of 32 bits, sums in 64; every sum of products rounded once, to
