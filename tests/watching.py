@@ -88,12 +88,13 @@ def _named(program: Program) -> Program:
 
 
 class Watched(Model):
-    """The model of a design's sums of products, every value watched."""
+    """The model of a design's sums of products, or of its integer operations, every value watched."""
 
-    def __init__(self, bundle: Bundle) -> None:
+    def __init__(self, bundle: Bundle, program: Program | None = None) -> None:
         """Give every value a name."""
-        assert bundle.macs is not None
-        self.seen = Seen(_named(bundle.macs))
+        chosen = program or bundle.macs
+        assert chosen is not None
+        self.seen = Seen(_named(chosen))
         super().__init__(self.seen.program, bundle.facts.number)
 
     def run(
@@ -111,17 +112,18 @@ class Watched(Model):
         return found
 
 
-def watch(bundle: Bundle, vectors: Vectors) -> Seen:
-    """Run both levels of the model, which must agree, and return what the sums of products reached."""
-    watched = Watched(bundle)
+def watch(bundle: Bundle, vectors: Vectors) -> tuple[Seen, Seen]:
+    """Run both levels of the model, which must agree; return what sums of products and integer operations reached."""
+    assert bundle.macs is not None
+    models = [Watched(bundle, program) for program in (bundle.macs, bundle.machine)]
 
     def model(program: Program, number: Fixed) -> Model:
-        return watched if program is bundle.macs else Model(program, number)
+        return models[0] if program is bundle.macs else models[1]
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(verify, "Model", model)
         verify.model_words(bundle, vectors)
-    return watched.seen
+    return models[0].seen, models[1].seen
 
 
 def drawn(bundle: Bundle, rows: int, seed: int = 1, lanes: int = 2000) -> Vectors:

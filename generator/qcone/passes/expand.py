@@ -6,6 +6,7 @@ That no partial sum overflows, in any order of the terms, was shown when the for
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
@@ -91,14 +92,24 @@ class _Expansion:
         early = [each for each in mac.terms if each not in late]
         if not late or not early or any(len(each.args) > 1 for each in early):
             return ()
-        finest = operation.format.fraction + mac.discard
-        size = Fraction(2) ** (mac.discard + 1)
-        for each in early:
+        before, after = (self._size(terms) for terms in (early, late))
+        if before is None or any(self.formats[each.args[0]].width != width for each in early):
+            return ()
+        before += Fraction(2) ** (mac.discard + 1)
+        # One word more gives the result, which fits; of several each sum on the way has to.
+        if len(late) > 1 and (after is None or after + before >= Fraction(2) ** (width - 1 + mac.discard)):
+            return ()
+        return late if before < 2 ** (width - 1) else ()
+
+    def _size(self, terms: Iterable[Aligned]) -> Fraction | None:
+        """Return the largest size of a sum of words, in the accumulator's last bits; None where it is not known."""
+        size = Fraction(0)
+        for each in terms:
             bound = self.bounds.get(each.args[0])
-            if bound is None or self.formats[each.args[0]].width != width:
-                return ()
-            size += bound * Fraction(2) ** finest
-        return late if size < 2 ** (width - 1) else ()
+            if bound is None:
+                return None
+            size += bound / self.formats[each.args[0]].lsb * 2**each.shift
+        return size
 
     def _total(self, terms: tuple[Aligned, ...], wide: Signal, like: Operation) -> int:
         positive = [each for each in terms if not each.negative]

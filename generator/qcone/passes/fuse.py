@@ -17,6 +17,8 @@ from qcone.ir.operations import RealOp
 from qcone.ir.statement import Call, Loop, Operation, Routine, Statement, Write, walk
 
 Terms = tuple[Term, ...]
+NOTHING: Terms = (Term(Fraction(0)),)
+"""The terms of a sum in which everything cancels."""
 TRANSPARENT = (RealOp.ADD, RealOp.SUBTRACT, RealOp.NEGATE, RealOp.MULTIPLY, RealOp.ACCUMULATE)
 
 
@@ -79,7 +81,7 @@ class _Fusion:
         elif op is RealOp.MULTIPLY:
             self.sums[result] = self._product(*args)
         elif op in (RealOp.CARRY, RealOp.WIDE):
-            terms = self._terms(args[0], mark=False)
+            terms = self._terms(args[0], mark=False) or NOTHING
             detail = Sum(terms, carried=op is RealOp.CARRY)
             self.body.append(
                 replace(operation, op=RealOp.SUM if op is RealOp.CARRY else op, args=_args(terms), detail=detail)
@@ -109,7 +111,7 @@ class _Fusion:
 
     def _keep(self, value: int) -> None:
         """Write the sum of a value that is needed as such."""
-        terms = self.sums.pop(value)
+        terms = self.sums.pop(value) or NOTHING
         origin = self.origin[value]
         operation = replace(origin, op=RealOp.SUM, args=_args(terms), constant=None, place=None, detail=Sum(terms))
         self.body.append(operation)
@@ -148,8 +150,12 @@ class _Fusion:
                 if is_power_of_two(scale) or not scale:
                     return _scaled(self._terms(other), scale) if scale else ()
                 (k, value) = self._factor(other)
+                if not k:
+                    return ()
                 return (Term(scale * k),) if value is None else (Term(scale * k, (value,)),)
         (a, x), (b, y) = self._factor(left), self._factor(right)
+        if not a * b:
+            return ()
         if x is None or y is None:
             return (Term(a * b, tuple(each for each in (x, y) if each is not None)),)
         return (Term(a * b, (x, y)),)

@@ -141,7 +141,7 @@ class Assigner:
             case RealOp.READ if operation.place is not None:
                 return self.blocks[operation.place.block]
             case RealOp.CONSTANT:
-                return self.choices.forced.get(result) or self._capped(result, number.signal(bound))
+                return self._forced(result, bound) or self._capped(result, number.signal(bound))
             case RealOp.SUM | RealOp.WIDE:
                 return self._sum(operation, found, bound)
             case RealOp.SELECT:
@@ -165,6 +165,13 @@ class Assigner:
                 return Signal(number.wide, max(fraction, top.fraction - bottom.fraction))
         raise AssertionError(operation.op)
 
+    def _forced(self, value: int, bound: Fraction) -> Signal | None:
+        """Return the format of the block that a value is written to; None where it is not written."""
+        signal = self.choices.forced.get(value)
+        if signal is not None and bound * 2**signal.fraction >= 2 ** (signal.width - 1):
+            raise self._unfit(value, bound, signal)
+        return signal
+
     def _capped(self, value: int, signal: Signal) -> Signal:
         cap = self.choices.caps.get(value)
         return signal if cap is None or cap >= signal.fraction else replace(signal, fraction=cap)
@@ -176,11 +183,9 @@ class Assigner:
             if term.args and not is_power_of_two(term.coefficient):
                 found.constants[result, at] = self._constant(term.coefficient, self.choices.short.get((result, at)))
         width = self.number.wide if operation.op is RealOp.WIDE else self.number.width
-        if result in self.choices.forced:
-            signal = self.choices.forced[result]
-            if bound * 2**signal.fraction >= 2 ** (signal.width - 1):
-                raise self._unfit(result, bound, signal)
-            return signal
+        forced = self._forced(result, bound)
+        if forced is not None:
+            return forced
         signal = self._capped(result, self.number.signal(bound, width))
         finest, _ = found.accumulated(operation)
         if finest > -(10**6):
