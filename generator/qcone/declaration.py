@@ -73,7 +73,9 @@ def in_fixed_point(
     series = _series_error(algorithm, known, exponential)
     samples = _samples(design, algorithm, known)
     bounded = stage.bounds(known.correction) if known.correction is not None else {}
-    return declared.Declaration(inputs, samples, turn, whole, unlimited, bounded, renormalised, series)
+    return declared.Declaration(
+        inputs, samples, turn, whole, unlimited, bounded, renormalised, series, design.number.pins
+    )
 
 
 def _series_error(algorithm: Algorithm, known: Declaration, exponential: Exponential | None) -> Fraction | None:

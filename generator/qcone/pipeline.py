@@ -32,6 +32,7 @@ from qcone.ir.operations import RealOp
 from qcone.ir.specification import Algorithm
 from qcone.ir.statement import Program, Routine
 from qcone.ir.writing import Writing
+from qcone.passes.choices import PinError
 from qcone.passes.compensate import compensate
 from qcone.passes.declared import Declaration as Declared
 from qcone.passes.exponential import Exponential, choose
@@ -122,6 +123,8 @@ def lower(program: Program, design: Design, number: Floating | Fixed, declared: 
         fixed = to_fixed(program, number, declared, design.number.accumulate == "compensated")
     except UsageError as error:
         hint = "raise update_hz, lower max_rate_dps, or choose a wider format"
+        if isinstance(error, PinError):
+            hint = "pin fewer bits, or take the names from the emitted C"
         raise problem(design, "QC211", str(error), "", hint) from error
     return Lowered(_named(fixed.integers), check_program(fixed.macs, MachineOp), fixed.proved)
 

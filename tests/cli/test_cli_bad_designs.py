@@ -289,7 +289,7 @@ def test_bad_words(run, words: tuple[str, ...]) -> None:
 def test_what_whole_designs_show_is_said_of_all_of_them(run, tmp_path: Path) -> None:
     second = HEAD.replace("mine", "other").replace("rotation-vector", "runge-kutta-4")
     dear = GOOD + "budget = { multiply = 3, add = 3 }\n"
-    (tmp_path / "bad.toml").write_text(f"{HEAD.replace('float32', 'fixed32')}form = "as-written"\n{second}\n{dear}")
+    (tmp_path / "bad.toml").write_text(f"{HEAD.replace('float32', 'fixed32')}loop = 'rolled'\n{second}\n{dear}")
     result = run("generate", "bad.toml")
     codes = [line.split(": error ")[1][:5] for line in result.stderr.splitlines()]
     assert (result.exit_code, result.stdout, codes) == (2, "", ["QC201", "QC207"])

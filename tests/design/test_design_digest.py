@@ -103,6 +103,7 @@ CHANGES: dict[str, Callable[[Design], Design]] = {
     "number.overflow": _number(overflow="wrap"),
     "number.rounding": _number(rounding="even"),
     "number.clamp_inputs": _number(clamp_inputs=True),
+    "number.pins": _number(pins=(("phi_x", 29),)),
 }
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 import subprocess
 import sys
+from collections.abc import Mapping
 from fractions import Fraction
 from pathlib import Path
 
@@ -244,8 +245,11 @@ def _drawn_words(fixed: bool) -> st.SearchStrategy[dict[str, object]]:
     number = {
         f"number.{key.name}": st.booleans() if key.kind == "flag" else st.sampled_from(key.choices)
         for key in NUMBER_KEYS
-        if key.name == "accumulate" or (fixed and key.name != "format")
+        if key.kind != "pins" and (key.name == "accumulate" or (fixed and key.name != "format"))
     }
+    if fixed:
+        pins = st.dictionaries(st.sampled_from(["phi_x", "dq_w", "u"]), st.integers(0, 62), min_size=1)
+        number["number.pins"] = pins.map(_pin_words)
     formats = ["fixed32", "fixed16"] if fixed else ["float32", "float64"]
     own = {
         "coefficients": st.sampled_from(["taylor", "coning"]),
@@ -262,6 +266,10 @@ def _drawn_words(fixed: bool) -> st.SearchStrategy[dict[str, object]]:
         "imu.max_rate_dps": st.decimals("0.001", 180, places=3),
     }
     return st.fixed_dictionaries(required, optional={**words, **number, **own})
+
+
+def _pin_words(pins: Mapping[str, int]) -> list[str]:
+    return [f"{name} = {bits}" for name, bits in pins.items()]
 
 
 def _toml(values: dict[str, object]) -> str:
@@ -287,6 +295,8 @@ def _written_out(design: Design) -> dict[str, object]:
         for key in NUMBER_KEYS
         if fixed or key.name in ("format", "accumulate")
     }
+    if pins := number.pop("number.pins", None):
+        number["number.pins"] = _pin_words(dict(pins))
     rates = {f"imu.{key}": float(getattr(design.imu, key)) for key in ("update_hz", "max_rate_dps")}
     return words | parameters | number | rates | {"axes": axes}
 

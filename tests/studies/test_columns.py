@@ -167,7 +167,8 @@ FORM = "write 't=NAME;x=NAME;y=NAME;z=NAME;unit=UNIT' (t and unit may be left ou
         (
             "x=a;y=b;z=c;unit=deg/s",
             "increment",
-            "unknown unit 'deg/s' for --input increment, give one of rad, deg, arcsec, or --input rate, or --input counts",
+            "unknown unit 'deg/s' for --input increment, give one of rad, deg, arcsec, or --input rate, or --input "
+            "counts",
         ),
         (
             "x=a;y=b;z=c",

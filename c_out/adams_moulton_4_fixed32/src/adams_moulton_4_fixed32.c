@@ -28,7 +28,7 @@
  * hold emitted               0       0    0         0       0       0     0     0     0       0      3
  * start_up as-written      264       0  181        46      12       0     0     0     0       0      0
  * start_up shared          221      34  165        58       3       0     0     0     0       0      0
- * start_up emitted         221       0  162        61       8       0     0     0     0       0    220
+ * start_up emitted         221       0  168        55      14       0     0     0     0       0    199
  * steady as-written         75       0   37        23       2       0     0     0     0       0      0
  * steady shared             74       1   37        23       1       0     0     0     0       0      0
  * steady emitted            74       0   31        29       5       0     0     0     0       0     67
@@ -82,13 +82,6 @@ static inline int32_t round_4(int64_t x)
 static inline int32_t round_5(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(16)) >> 5);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^6, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_6(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(32)) >> 6);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -481,9 +474,9 @@ static void adams_moulton_4_fixed32_start_up(adams_moulton_4_fixed32_state *stat
     const int64_t dq0_w_negated_55 = (int64_t)q_y * dq0_x_2;  /* F66 */
     const int64_t dq0_w_negated_56 = dq0_w_negated_54 - dq0_w_negated_55;  /* F66 */
     const int32_t dq0_w_negated_57 = round_31(dq0_w_negated_56);  /* F35, |x| <= 0.031 */
-    const int64_t dq0_x_13 = q_w * INT64_C(32);  /* F35 */
-    const int64_t dq0_x_14 = dq0_x_13 - dq0_x_12;  /* F35 */
-    const int32_t dq0_x_15 = round_5(dq0_x_14);  /* F30, |x| <= 1.22 */
+    const int32_t dq0_x_13 = -dq0_x_12;  /* F35 */
+    const int32_t dq0_x_14 = round_short_5(dq0_x_13);  /* F30 */
+    const int32_t dq0_x_15 = dq0_x_14 + q_w;  /* F30, |x| <= 1.22 */
     const int32_t dq0_w_negated_58 = round_short_6(dq0_w_negated_45);  /* F30 */
     const int32_t dq0_w_negated_59 = dq0_w_negated_58 + q_x;  /* F30, |x| <= 1.22 */
     const int32_t dq0_w_negated_60 = round_short_6(dq0_w_negated_51);  /* F30 */
@@ -514,45 +507,42 @@ static void adams_moulton_4_fixed32_start_up(adams_moulton_4_fixed32_state *stat
     const int64_t dq0_x_31 = (int64_t)dq0_w_negated_61 * dq0_w_negated_29;  /* F65 */
     const int64_t dq0_x_32 = dq0_x_30 - dq0_x_31;  /* F65 */
     const int32_t dq0_x_33 = round_30(dq0_x_32);  /* F35, |x| <= 0.0507 */
-    const int64_t dq0_w_negated_70 = q_w * INT64_C(64);  /* F36 */
-    const int64_t dq0_w_negated_71 = dq0_w_negated_70 - dq0_w_negated_69;  /* F36 */
-    const int32_t dq0_w_negated_72 = round_6(dq0_w_negated_71);  /* F30, |x| <= 1.23 */
-    const int64_t dq0_x_34 = q_x * INT64_C(64);  /* F36 */
-    const int64_t dq0_x_35 = dq0_x_34 + dq0_x_21;  /* F36 */
-    const int32_t dq0_x_36 = round_6(dq0_x_35);  /* F30, |x| <= 1.23 */
-    const int64_t dq0_x_37 = q_y * INT64_C(64);  /* F36 */
-    const int64_t dq0_x_38 = dq0_x_37 + dq0_x_27;  /* F36 */
-    const int32_t dq0_x_39 = round_6(dq0_x_38);  /* F30, |x| <= 1.23 */
-    const int64_t dq0_x_40 = q_z * INT64_C(64);  /* F36 */
-    const int64_t dq0_x_41 = dq0_x_40 + dq0_x_33;  /* F36 */
-    const int32_t dq0_x_42 = round_6(dq0_x_41);  /* F30, |x| <= 1.23 */
-    const int64_t dq0_x_43 = (int64_t)dq0_x_36 * dq0_w_negated_29;  /* F65 */
-    const int64_t dq0_x_44 = (int64_t)dq0_x_39 * dq0_w_negated_31;  /* F65 */
-    const int64_t dq0_x_45 = dq0_x_43 + dq0_x_44;  /* F65 */
-    const int64_t dq0_x_46 = (int64_t)dq0_x_42 * dq0_w_negated_33;  /* F65 */
-    const int64_t dq0_x_47 = dq0_x_45 + dq0_x_46;  /* F65 */
-    const int32_t dq0_x_48 = round_30(dq0_x_47);  /* F35, |x| <= 0.0511 */
+    const int32_t dq0_w_negated_70 = -dq0_w_negated_69;  /* F36 */
+    const int32_t dq0_w_negated_71 = round_short_6(dq0_w_negated_70);  /* F30 */
+    const int32_t dq0_w_negated_72 = dq0_w_negated_71 + q_w;  /* F30, |x| <= 1.23 */
+    const int32_t dq0_x_34 = round_short_6(dq0_x_21);  /* F30 */
+    const int32_t dq0_x_35 = dq0_x_34 + q_x;  /* F30, |x| <= 1.23 */
+    const int32_t dq0_x_36 = round_short_6(dq0_x_27);  /* F30 */
+    const int32_t dq0_x_37 = dq0_x_36 + q_y;  /* F30, |x| <= 1.23 */
+    const int32_t dq0_x_38 = round_short_6(dq0_x_33);  /* F30 */
+    const int32_t dq0_x_39 = dq0_x_38 + q_z;  /* F30, |x| <= 1.23 */
+    const int64_t dq0_x_40 = (int64_t)dq0_x_35 * dq0_w_negated_29;  /* F65 */
+    const int64_t dq0_x_41 = (int64_t)dq0_x_37 * dq0_w_negated_31;  /* F65 */
+    const int64_t dq0_x_42 = dq0_x_40 + dq0_x_41;  /* F65 */
+    const int64_t dq0_x_43 = (int64_t)dq0_x_39 * dq0_w_negated_33;  /* F65 */
+    const int64_t dq0_x_44 = dq0_x_42 + dq0_x_43;  /* F65 */
+    const int32_t dq0_x_45 = round_30(dq0_x_44);  /* F35, |x| <= 0.0511 */
     const int64_t dq0_w_negated_73 = (int64_t)dq0_w_negated_72 * dq0_w_negated_29;  /* F65 */
-    const int64_t dq0_w_negated_74 = (int64_t)dq0_x_39 * dq0_w_negated_33;  /* F65 */
+    const int64_t dq0_w_negated_74 = (int64_t)dq0_x_37 * dq0_w_negated_33;  /* F65 */
     const int64_t dq0_w_negated_75 = dq0_w_negated_73 + dq0_w_negated_74;  /* F65 */
-    const int64_t dq0_w_negated_76 = (int64_t)dq0_x_42 * dq0_w_negated_31;  /* F65 */
+    const int64_t dq0_w_negated_76 = (int64_t)dq0_x_39 * dq0_w_negated_31;  /* F65 */
     const int64_t dq0_w_negated_77 = dq0_w_negated_75 - dq0_w_negated_76;  /* F65 */
     const int32_t dq0_w_negated_78 = round_30(dq0_w_negated_77);  /* F35, |x| <= 0.0511 */
     const int64_t dq0_w_negated_79 = (int64_t)dq0_w_negated_72 * dq0_w_negated_31;  /* F65 */
-    const int64_t dq0_w_negated_80 = (int64_t)dq0_x_42 * dq0_w_negated_29;  /* F65 */
+    const int64_t dq0_w_negated_80 = (int64_t)dq0_x_39 * dq0_w_negated_29;  /* F65 */
     const int64_t dq0_w_negated_81 = dq0_w_negated_79 + dq0_w_negated_80;  /* F65 */
-    const int64_t dq0_w_negated_82 = (int64_t)dq0_x_36 * dq0_w_negated_33;  /* F65 */
+    const int64_t dq0_w_negated_82 = (int64_t)dq0_x_35 * dq0_w_negated_33;  /* F65 */
     const int64_t dq0_w_negated_83 = dq0_w_negated_81 - dq0_w_negated_82;  /* F65 */
     const int32_t dq0_w_negated_84 = round_30(dq0_w_negated_83);  /* F35, |x| <= 0.0511 */
     const int64_t dq0_w_negated_85 = (int64_t)dq0_w_negated_72 * dq0_w_negated_33;  /* F65 */
-    const int64_t dq0_w_negated_86 = (int64_t)dq0_x_36 * dq0_w_negated_31;  /* F65 */
+    const int64_t dq0_w_negated_86 = (int64_t)dq0_x_35 * dq0_w_negated_31;  /* F65 */
     const int64_t dq0_w_negated_87 = dq0_w_negated_85 + dq0_w_negated_86;  /* F65 */
-    const int64_t dq0_w_negated_88 = (int64_t)dq0_x_39 * dq0_w_negated_29;  /* F65 */
+    const int64_t dq0_w_negated_88 = (int64_t)dq0_x_37 * dq0_w_negated_29;  /* F65 */
     const int64_t dq0_w_negated_89 = dq0_w_negated_87 - dq0_w_negated_88;  /* F65 */
     const int32_t dq0_w_negated_90 = round_30(dq0_w_negated_89);  /* F35, |x| <= 0.0511 */
-    const int32_t dq0_x_49 = -dq0_x_48;  /* F35 */
-    const int32_t dq0_x_50 = round_short_5(dq0_x_49);  /* F30 */
-    const int32_t dq0_x_51 = dq0_x_50 + q_w;  /* F30, |x| <= 1.26 */
+    const int32_t dq0_x_46 = -dq0_x_45;  /* F35 */
+    const int32_t dq0_x_47 = round_short_5(dq0_x_46);  /* F30 */
+    const int32_t dq0_x_48 = dq0_x_47 + q_w;  /* F30, |x| <= 1.26 */
     const int32_t dq0_w_negated_91 = round_short_5(dq0_w_negated_78);  /* F30 */
     const int32_t dq0_w_negated_92 = dq0_w_negated_91 + q_x;  /* F30, |x| <= 1.26 */
     const int32_t dq0_w_negated_93 = round_short_5(dq0_w_negated_84);  /* F30 */
@@ -567,15 +557,15 @@ static void adams_moulton_4_fixed32_start_up(adams_moulton_4_fixed32_state *stat
     const int32_t dq0_w_negated_102 = round_32(dq0_w_negated_101);  /* F34, |x| <= 0.0969 */
     const int64_t dq0_w_negated_103 = (int64_t)dq0_x_12 + dq0_w_negated_102;  /* F34 */
     const int32_t dq0_w_negated_104 = (int32_t)dq0_w_negated_103;  /* F34, |x| <= 0.0633 */
-    const int64_t dq0_x_52 = (int64_t)dq0_x_51 * dq0_w_negated_35;  /* F66 */
-    const int64_t dq0_x_53 = (int64_t)dq0_w_negated_94 * dq0_w_negated_39;  /* F66 */
-    const int64_t dq0_x_54 = dq0_x_52 + dq0_x_53;  /* F66 */
-    const int64_t dq0_x_55 = (int64_t)dq0_w_negated_96 * dq0_w_negated_37;  /* F66 */
-    const int64_t dq0_x_56 = dq0_x_54 - dq0_x_55;  /* F66 */
-    const int32_t dq0_x_57 = round_32(dq0_x_56);  /* F34, |x| <= 0.0969 */
-    const int32_t dq0_x_58 = round_short_1(dq0_w_negated_45);  /* F34 */
-    const int32_t dq0_x_59 = dq0_x_58 + dq0_x_57;  /* F34, |x| <= 0.0633 */
-    const int64_t dq0_y_1 = (int64_t)dq0_x_51 * dq0_w_negated_37;  /* F66 */
+    const int64_t dq0_x_49 = (int64_t)dq0_x_48 * dq0_w_negated_35;  /* F66 */
+    const int64_t dq0_x_50 = (int64_t)dq0_w_negated_94 * dq0_w_negated_39;  /* F66 */
+    const int64_t dq0_x_51 = dq0_x_49 + dq0_x_50;  /* F66 */
+    const int64_t dq0_x_52 = (int64_t)dq0_w_negated_96 * dq0_w_negated_37;  /* F66 */
+    const int64_t dq0_x_53 = dq0_x_51 - dq0_x_52;  /* F66 */
+    const int32_t dq0_x_54 = round_32(dq0_x_53);  /* F34, |x| <= 0.0969 */
+    const int32_t dq0_x_55 = round_short_1(dq0_w_negated_45);  /* F34 */
+    const int32_t dq0_x_56 = dq0_x_55 + dq0_x_54;  /* F34, |x| <= 0.0633 */
+    const int64_t dq0_y_1 = (int64_t)dq0_x_48 * dq0_w_negated_37;  /* F66 */
     const int64_t dq0_y_2 = (int64_t)dq0_w_negated_96 * dq0_w_negated_35;  /* F66 */
     const int64_t dq0_y_3 = dq0_y_1 + dq0_y_2;  /* F66 */
     const int64_t dq0_y_4 = (int64_t)dq0_w_negated_92 * dq0_w_negated_39;  /* F66 */
@@ -583,7 +573,7 @@ static void adams_moulton_4_fixed32_start_up(adams_moulton_4_fixed32_state *stat
     const int32_t dq0_y_6 = round_32(dq0_y_5);  /* F34, |x| <= 0.0969 */
     const int32_t dq0_y_7 = round_short_1(dq0_w_negated_51);  /* F34 */
     const int32_t dq0_y_8 = dq0_y_7 + dq0_y_6;  /* F34, |x| <= 0.0633 */
-    const int64_t dq0_z_1 = (int64_t)dq0_x_51 * dq0_w_negated_39;  /* F66 */
+    const int64_t dq0_z_1 = (int64_t)dq0_x_48 * dq0_w_negated_39;  /* F66 */
     const int64_t dq0_z_2 = (int64_t)dq0_w_negated_92 * dq0_w_negated_37;  /* F66 */
     const int64_t dq0_z_3 = dq0_z_1 + dq0_z_2;  /* F66 */
     const int64_t dq0_z_4 = (int64_t)dq0_w_negated_94 * dq0_w_negated_35;  /* F66 */
@@ -591,10 +581,10 @@ static void adams_moulton_4_fixed32_start_up(adams_moulton_4_fixed32_state *stat
     const int32_t dq0_z_6 = round_32(dq0_z_5);  /* F34, |x| <= 0.0969 */
     const int32_t dq0_z_7 = round_short_1(dq0_w_negated_57);  /* F34 */
     const int32_t dq0_z_8 = dq0_z_7 + dq0_z_6;  /* F34, |x| <= 0.0633 */
-    const int64_t dq0_w_negated_105 = (int64_t)dq0_w_negated_69 + dq0_x_48;  /* F35 */
+    const int64_t dq0_w_negated_105 = (int64_t)dq0_w_negated_69 + dq0_x_45;  /* F35 */
     const int32_t dq0_w_negated_106 = round_1(dq0_w_negated_105);  /* F34, |x| <= 0.102 */
-    const int64_t dq0_x_60 = (int64_t)dq0_x_21 + dq0_w_negated_78;  /* F35 */
-    const int32_t dq0_x_61 = round_1(dq0_x_60);  /* F34, |x| <= 0.102 */
+    const int64_t dq0_x_57 = (int64_t)dq0_x_21 + dq0_w_negated_78;  /* F35 */
+    const int32_t dq0_x_58 = round_1(dq0_x_57);  /* F34, |x| <= 0.102 */
     const int64_t dq0_y_9 = (int64_t)dq0_x_27 + dq0_w_negated_84;  /* F35 */
     const int32_t dq0_y_10 = round_1(dq0_y_9);  /* F34, |x| <= 0.102 */
     const int64_t dq0_z_9 = (int64_t)dq0_x_33 + dq0_w_negated_90;  /* F35 */
@@ -604,11 +594,11 @@ static void adams_moulton_4_fixed32_start_up(adams_moulton_4_fixed32_state *stat
     const int64_t dq0_w_negated_109 = dq0_w_negated_108 * INT64_C(2);  /* F67 */
     const int64_t dq0_w_negated_110 = dq0_w_negated_107 + dq0_w_negated_109;  /* F67 */
     const int32_t dq0_w_negated = round_32(dq0_w_negated_110);  /* F35, |x| <= 0.0445 */
-    const int64_t dq0_x_62 = (int64_t)1431655765 /* 1/6 */ * dq0_x_59;  /* F67 */
-    const int64_t dq0_x_63 = (int64_t)1431655765 /* 1/3 */ * dq0_x_61;  /* F66 */
-    const int64_t dq0_x_64 = dq0_x_63 * INT64_C(2);  /* F67 */
-    const int64_t dq0_x_65 = dq0_x_62 + dq0_x_64;  /* F67 */
-    const int32_t dq0_x = round_32(dq0_x_65);  /* F35, |x| <= 0.0445 */
+    const int64_t dq0_x_59 = (int64_t)1431655765 /* 1/6 */ * dq0_x_56;  /* F67 */
+    const int64_t dq0_x_60 = (int64_t)1431655765 /* 1/3 */ * dq0_x_58;  /* F66 */
+    const int64_t dq0_x_61 = dq0_x_60 * INT64_C(2);  /* F67 */
+    const int64_t dq0_x_62 = dq0_x_59 + dq0_x_61;  /* F67 */
+    const int32_t dq0_x = round_32(dq0_x_62);  /* F35, |x| <= 0.0445 */
     const int64_t dq0_y_11 = (int64_t)1431655765 /* 1/6 */ * dq0_y_8;  /* F67 */
     const int64_t dq0_y_12 = (int64_t)1431655765 /* 1/3 */ * dq0_y_10;  /* F66 */
     const int64_t dq0_y_13 = dq0_y_12 * INT64_C(2);  /* F67 */
@@ -666,162 +656,156 @@ static void adams_moulton_4_fixed32_start_up(adams_moulton_4_fixed32_state *stat
     const int64_t first_x_55 = (int64_t)first_w_negated_4 * dq0_w_negated_35;  /* F66 */
     const int64_t first_x_56 = first_x_54 - first_x_55;  /* F66 */
     const int32_t first_x_57 = round_31(first_x_56);  /* F35, |x| <= 0.0322 */
-    const int64_t first_w_negated_13 = first_x_27 * INT64_C(32);  /* F35 */
-    const int64_t first_w_negated_14 = first_w_negated_13 - first_w_negated_12;  /* F35 */
-    const int32_t first_w_negated_15 = round_5(first_w_negated_14);  /* F30, |x| <= 1.27 */
-    const int64_t first_x_58 = first_w_negated_2 * INT64_C(64);  /* F36 */
-    const int64_t first_x_59 = first_x_58 + first_x_45;  /* F36 */
-    const int32_t first_x_60 = round_6(first_x_59);  /* F30, |x| <= 1.27 */
-    const int64_t first_x_61 = first_w_negated_4 * INT64_C(64);  /* F36 */
-    const int64_t first_x_62 = first_x_61 + first_x_51;  /* F36 */
-    const int32_t first_x_63 = round_6(first_x_62);  /* F30, |x| <= 1.27 */
-    const int64_t first_x_64 = first_w_negated_6 * INT64_C(64);  /* F36 */
-    const int64_t first_x_65 = first_x_64 + first_x_57;  /* F36 */
-    const int32_t first_x_66 = round_6(first_x_65);  /* F30, |x| <= 1.27 */
-    const int64_t first_x_67 = (int64_t)first_x_60 * first_x_29;  /* F65 */
-    const int64_t first_x_68 = (int64_t)first_x_63 * first_x_31;  /* F65 */
-    const int64_t first_x_69 = first_x_67 + first_x_68;  /* F65 */
-    const int64_t first_x_70 = (int64_t)first_x_66 * first_x_33;  /* F65 */
-    const int64_t first_x_71 = first_x_69 + first_x_70;  /* F65 */
-    const int32_t first_x_72 = round_30(first_x_71);  /* F35, |x| <= 0.0401 */
+    const int32_t first_w_negated_13 = -first_w_negated_12;  /* F35 */
+    const int32_t first_w_negated_14 = round_short_5(first_w_negated_13);  /* F30 */
+    const int32_t first_w_negated_15 = first_w_negated_14 + first_x_27;  /* F30, |x| <= 1.27 */
+    const int32_t first_x_58 = round_short_6(first_x_45);  /* F30 */
+    const int32_t first_x_59 = first_x_58 + first_w_negated_2;  /* F30, |x| <= 1.27 */
+    const int32_t first_x_60 = round_short_6(first_x_51);  /* F30 */
+    const int32_t first_x_61 = first_x_60 + first_w_negated_4;  /* F30, |x| <= 1.27 */
+    const int32_t first_x_62 = round_short_6(first_x_57);  /* F30 */
+    const int32_t first_x_63 = first_x_62 + first_w_negated_6;  /* F30, |x| <= 1.27 */
+    const int64_t first_x_64 = (int64_t)first_x_59 * first_x_29;  /* F65 */
+    const int64_t first_x_65 = (int64_t)first_x_61 * first_x_31;  /* F65 */
+    const int64_t first_x_66 = first_x_64 + first_x_65;  /* F65 */
+    const int64_t first_x_67 = (int64_t)first_x_63 * first_x_33;  /* F65 */
+    const int64_t first_x_68 = first_x_66 + first_x_67;  /* F65 */
+    const int32_t first_x_69 = round_30(first_x_68);  /* F35, |x| <= 0.0401 */
     const int64_t first_w_negated_16 = (int64_t)first_w_negated_15 * first_x_29;  /* F65 */
-    const int64_t first_w_negated_17 = (int64_t)first_x_63 * first_x_33;  /* F65 */
+    const int64_t first_w_negated_17 = (int64_t)first_x_61 * first_x_33;  /* F65 */
     const int64_t first_w_negated_18 = first_w_negated_16 + first_w_negated_17;  /* F65 */
-    const int64_t first_w_negated_19 = (int64_t)first_x_66 * first_x_31;  /* F65 */
+    const int64_t first_w_negated_19 = (int64_t)first_x_63 * first_x_31;  /* F65 */
     const int64_t first_w_negated_20 = first_w_negated_18 - first_w_negated_19;  /* F65 */
     const int32_t first_w_negated_21 = round_30(first_w_negated_20);  /* F35, |x| <= 0.0401 */
     const int64_t first_w_negated_22 = (int64_t)first_w_negated_15 * first_x_31;  /* F65 */
-    const int64_t first_w_negated_23 = (int64_t)first_x_66 * first_x_29;  /* F65 */
+    const int64_t first_w_negated_23 = (int64_t)first_x_63 * first_x_29;  /* F65 */
     const int64_t first_w_negated_24 = first_w_negated_22 + first_w_negated_23;  /* F65 */
-    const int64_t first_w_negated_25 = (int64_t)first_x_60 * first_x_33;  /* F65 */
+    const int64_t first_w_negated_25 = (int64_t)first_x_59 * first_x_33;  /* F65 */
     const int64_t first_w_negated_26 = first_w_negated_24 - first_w_negated_25;  /* F65 */
     const int32_t first_w_negated_27 = round_30(first_w_negated_26);  /* F35, |x| <= 0.0401 */
     const int64_t first_w_negated_28 = (int64_t)first_w_negated_15 * first_x_33;  /* F65 */
-    const int64_t first_w_negated_29 = (int64_t)first_x_60 * first_x_31;  /* F65 */
+    const int64_t first_w_negated_29 = (int64_t)first_x_59 * first_x_31;  /* F65 */
     const int64_t first_w_negated_30 = first_w_negated_28 + first_w_negated_29;  /* F65 */
-    const int64_t first_w_negated_31 = (int64_t)first_x_63 * first_x_29;  /* F65 */
+    const int64_t first_w_negated_31 = (int64_t)first_x_61 * first_x_29;  /* F65 */
     const int64_t first_w_negated_32 = first_w_negated_30 - first_w_negated_31;  /* F65 */
     const int32_t first_w_negated_33 = round_30(first_w_negated_32);  /* F35, |x| <= 0.0401 */
-    const int64_t first_x_73 = first_x_27 * INT64_C(64);  /* F36 */
-    const int64_t first_x_74 = first_x_73 - first_x_72;  /* F36 */
-    const int32_t first_x_75 = round_6(first_x_74);  /* F30, |x| <= 1.27 */
-    const int64_t first_w_negated_34 = first_w_negated_2 * INT64_C(64);  /* F36 */
-    const int64_t first_w_negated_35 = first_w_negated_34 + first_w_negated_21;  /* F36 */
-    const int32_t first_w_negated_36 = round_6(first_w_negated_35);  /* F30, |x| <= 1.27 */
-    const int64_t first_w_negated_37 = first_w_negated_4 * INT64_C(64);  /* F36 */
-    const int64_t first_w_negated_38 = first_w_negated_37 + first_w_negated_27;  /* F36 */
-    const int32_t first_w_negated_39 = round_6(first_w_negated_38);  /* F30, |x| <= 1.27 */
-    const int64_t first_w_negated_40 = first_w_negated_6 * INT64_C(64);  /* F36 */
-    const int64_t first_w_negated_41 = first_w_negated_40 + first_w_negated_33;  /* F36 */
-    const int32_t first_w_negated_42 = round_6(first_w_negated_41);  /* F30, |x| <= 1.27 */
-    const int64_t first_w_negated_43 = (int64_t)first_w_negated_36 * first_x_29;  /* F65 */
-    const int64_t first_w_negated_44 = (int64_t)first_w_negated_39 * first_x_31;  /* F65 */
-    const int64_t first_w_negated_45 = first_w_negated_43 + first_w_negated_44;  /* F65 */
-    const int64_t first_w_negated_46 = (int64_t)first_w_negated_42 * first_x_33;  /* F65 */
-    const int64_t first_w_negated_47 = first_w_negated_45 + first_w_negated_46;  /* F65 */
-    const int32_t first_w_negated_48 = round_30(first_w_negated_47);  /* F35, |x| <= 0.0402 */
-    const int64_t first_x_76 = (int64_t)first_x_75 * first_x_29;  /* F65 */
-    const int64_t first_x_77 = (int64_t)first_w_negated_39 * first_x_33;  /* F65 */
-    const int64_t first_x_78 = first_x_76 + first_x_77;  /* F65 */
-    const int64_t first_x_79 = (int64_t)first_w_negated_42 * first_x_31;  /* F65 */
-    const int64_t first_x_80 = first_x_78 - first_x_79;  /* F65 */
-    const int32_t first_x_81 = round_30(first_x_80);  /* F35, |x| <= 0.0402 */
-    const int64_t first_x_82 = (int64_t)first_x_75 * first_x_31;  /* F65 */
-    const int64_t first_x_83 = (int64_t)first_w_negated_42 * first_x_29;  /* F65 */
-    const int64_t first_x_84 = first_x_82 + first_x_83;  /* F65 */
-    const int64_t first_x_85 = (int64_t)first_w_negated_36 * first_x_33;  /* F65 */
-    const int64_t first_x_86 = first_x_84 - first_x_85;  /* F65 */
-    const int32_t first_x_87 = round_30(first_x_86);  /* F35, |x| <= 0.0402 */
-    const int64_t first_x_88 = (int64_t)first_x_75 * first_x_33;  /* F65 */
-    const int64_t first_x_89 = (int64_t)first_w_negated_36 * first_x_31;  /* F65 */
-    const int64_t first_x_90 = first_x_88 + first_x_89;  /* F65 */
-    const int64_t first_x_91 = (int64_t)first_w_negated_39 * first_x_29;  /* F65 */
-    const int64_t first_x_92 = first_x_90 - first_x_91;  /* F65 */
-    const int32_t first_x_93 = round_30(first_x_92);  /* F35, |x| <= 0.0402 */
-    const int32_t first_w_negated_49 = -first_w_negated_48;  /* F35 */
-    const int32_t first_w_negated_50 = round_short_5(first_w_negated_49);  /* F30 */
-    const int32_t first_w_negated_51 = first_w_negated_50 + first_x_27;  /* F30, |x| <= 1.29 */
-    const int32_t first_x_94 = round_short_5(first_x_81);  /* F30 */
-    const int32_t first_x_95 = first_x_94 + first_w_negated_2;  /* F30, |x| <= 1.29 */
-    const int32_t first_x_96 = round_short_5(first_x_87);  /* F30 */
-    const int32_t first_x_97 = first_x_96 + first_w_negated_4;  /* F30, |x| <= 1.29 */
-    const int32_t first_x_98 = round_short_5(first_x_93);  /* F30 */
-    const int32_t first_x_99 = first_x_98 + first_w_negated_6;  /* F30, |x| <= 1.29 */
-    const int64_t first_x_100 = (int64_t)first_x_95 * first_x_35;  /* F66 */
-    const int64_t first_x_101 = (int64_t)first_x_97 * first_x_37;  /* F66 */
-    const int64_t first_x_102 = first_x_100 + first_x_101;  /* F66 */
-    const int64_t first_x_103 = (int64_t)first_x_99 * first_x_39;  /* F66 */
-    const int64_t first_x_104 = first_x_102 + first_x_103;  /* F66 */
-    const int32_t first_x_105 = round_32(first_x_104);  /* F34, |x| <= 0.0964 */
-    const int64_t first_x_106 = (int64_t)first_w_negated_12 + first_x_105;  /* F34 */
-    const int32_t first_x_107 = (int32_t)first_x_106;  /* F34, |x| <= 0.0643 */
-    const int64_t first_w_negated_52 = (int64_t)first_w_negated_51 * first_x_35;  /* F66 */
-    const int64_t first_w_negated_53 = (int64_t)first_x_97 * first_x_39;  /* F66 */
-    const int64_t first_w_negated_54 = first_w_negated_52 + first_w_negated_53;  /* F66 */
-    const int64_t first_w_negated_55 = (int64_t)first_x_99 * first_x_37;  /* F66 */
-    const int64_t first_w_negated_56 = first_w_negated_54 - first_w_negated_55;  /* F66 */
-    const int32_t first_w_negated_57 = round_32(first_w_negated_56);  /* F34, |x| <= 0.0964 */
-    const int32_t first_w_negated_58 = round_short_1(first_x_45);  /* F34 */
-    const int32_t first_w_negated_59 = first_w_negated_58 + first_w_negated_57;  /* F34, |x| <= 0.0643 */
-    const int64_t first_w_negated_60 = (int64_t)first_w_negated_51 * first_x_37;  /* F66 */
-    const int64_t first_w_negated_61 = (int64_t)first_x_99 * first_x_35;  /* F66 */
-    const int64_t first_w_negated_62 = first_w_negated_60 + first_w_negated_61;  /* F66 */
-    const int64_t first_w_negated_63 = (int64_t)first_x_95 * first_x_39;  /* F66 */
-    const int64_t first_w_negated_64 = first_w_negated_62 - first_w_negated_63;  /* F66 */
-    const int32_t first_w_negated_65 = round_32(first_w_negated_64);  /* F34, |x| <= 0.0964 */
-    const int32_t first_w_negated_66 = round_short_1(first_x_51);  /* F34 */
-    const int32_t first_w_negated_67 = first_w_negated_66 + first_w_negated_65;  /* F34, |x| <= 0.0643 */
-    const int64_t first_w_negated_68 = (int64_t)first_w_negated_51 * first_x_39;  /* F66 */
-    const int64_t first_w_negated_69 = (int64_t)first_x_95 * first_x_37;  /* F66 */
-    const int64_t first_w_negated_70 = first_w_negated_68 + first_w_negated_69;  /* F66 */
-    const int64_t first_w_negated_71 = (int64_t)first_x_97 * first_x_35;  /* F66 */
-    const int64_t first_w_negated_72 = first_w_negated_70 - first_w_negated_71;  /* F66 */
-    const int32_t first_w_negated_73 = round_32(first_w_negated_72);  /* F34, |x| <= 0.0964 */
-    const int32_t first_w_negated_74 = round_short_1(first_x_57);  /* F34 */
-    const int32_t first_w_negated_75 = first_w_negated_74 + first_w_negated_73;  /* F34, |x| <= 0.0643 */
-    const int64_t first_x_108 = (int64_t)first_x_72 + first_w_negated_48;  /* F35 */
-    const int32_t first_x_109 = round_1(first_x_108);  /* F34, |x| <= 0.0802 */
-    const int64_t first_w_negated_76 = (int64_t)first_w_negated_21 + first_x_81;  /* F35 */
-    const int32_t first_w_negated_77 = round_1(first_w_negated_76);  /* F34, |x| <= 0.0802 */
-    const int64_t first_w_negated_78 = (int64_t)first_w_negated_27 + first_x_87;  /* F35 */
-    const int32_t first_w_negated_79 = round_1(first_w_negated_78);  /* F34, |x| <= 0.0802 */
-    const int64_t first_w_negated_80 = (int64_t)first_w_negated_33 + first_x_93;  /* F35 */
-    const int32_t first_w_negated_81 = round_1(first_w_negated_80);  /* F34, |x| <= 0.0802 */
+    const int32_t first_x_70 = -first_x_69;  /* F36 */
+    const int32_t first_x_71 = round_short_6(first_x_70);  /* F30 */
+    const int32_t first_x_72 = first_x_71 + first_x_27;  /* F30, |x| <= 1.27 */
+    const int32_t first_w_negated_34 = round_short_6(first_w_negated_21);  /* F30 */
+    const int32_t first_w_negated_35 = first_w_negated_34 + first_w_negated_2;  /* F30, |x| <= 1.27 */
+    const int32_t first_w_negated_36 = round_short_6(first_w_negated_27);  /* F30 */
+    const int32_t first_w_negated_37 = first_w_negated_36 + first_w_negated_4;  /* F30, |x| <= 1.27 */
+    const int32_t first_w_negated_38 = round_short_6(first_w_negated_33);  /* F30 */
+    const int32_t first_w_negated_39 = first_w_negated_38 + first_w_negated_6;  /* F30, |x| <= 1.27 */
+    const int64_t first_w_negated_40 = (int64_t)first_w_negated_35 * first_x_29;  /* F65 */
+    const int64_t first_w_negated_41 = (int64_t)first_w_negated_37 * first_x_31;  /* F65 */
+    const int64_t first_w_negated_42 = first_w_negated_40 + first_w_negated_41;  /* F65 */
+    const int64_t first_w_negated_43 = (int64_t)first_w_negated_39 * first_x_33;  /* F65 */
+    const int64_t first_w_negated_44 = first_w_negated_42 + first_w_negated_43;  /* F65 */
+    const int32_t first_w_negated_45 = round_30(first_w_negated_44);  /* F35, |x| <= 0.0402 */
+    const int64_t first_x_73 = (int64_t)first_x_72 * first_x_29;  /* F65 */
+    const int64_t first_x_74 = (int64_t)first_w_negated_37 * first_x_33;  /* F65 */
+    const int64_t first_x_75 = first_x_73 + first_x_74;  /* F65 */
+    const int64_t first_x_76 = (int64_t)first_w_negated_39 * first_x_31;  /* F65 */
+    const int64_t first_x_77 = first_x_75 - first_x_76;  /* F65 */
+    const int32_t first_x_78 = round_30(first_x_77);  /* F35, |x| <= 0.0402 */
+    const int64_t first_x_79 = (int64_t)first_x_72 * first_x_31;  /* F65 */
+    const int64_t first_x_80 = (int64_t)first_w_negated_39 * first_x_29;  /* F65 */
+    const int64_t first_x_81 = first_x_79 + first_x_80;  /* F65 */
+    const int64_t first_x_82 = (int64_t)first_w_negated_35 * first_x_33;  /* F65 */
+    const int64_t first_x_83 = first_x_81 - first_x_82;  /* F65 */
+    const int32_t first_x_84 = round_30(first_x_83);  /* F35, |x| <= 0.0402 */
+    const int64_t first_x_85 = (int64_t)first_x_72 * first_x_33;  /* F65 */
+    const int64_t first_x_86 = (int64_t)first_w_negated_35 * first_x_31;  /* F65 */
+    const int64_t first_x_87 = first_x_85 + first_x_86;  /* F65 */
+    const int64_t first_x_88 = (int64_t)first_w_negated_37 * first_x_29;  /* F65 */
+    const int64_t first_x_89 = first_x_87 - first_x_88;  /* F65 */
+    const int32_t first_x_90 = round_30(first_x_89);  /* F35, |x| <= 0.0402 */
+    const int32_t first_w_negated_46 = -first_w_negated_45;  /* F35 */
+    const int32_t first_w_negated_47 = round_short_5(first_w_negated_46);  /* F30 */
+    const int32_t first_w_negated_48 = first_w_negated_47 + first_x_27;  /* F30, |x| <= 1.29 */
+    const int32_t first_x_91 = round_short_5(first_x_78);  /* F30 */
+    const int32_t first_x_92 = first_x_91 + first_w_negated_2;  /* F30, |x| <= 1.29 */
+    const int32_t first_x_93 = round_short_5(first_x_84);  /* F30 */
+    const int32_t first_x_94 = first_x_93 + first_w_negated_4;  /* F30, |x| <= 1.29 */
+    const int32_t first_x_95 = round_short_5(first_x_90);  /* F30 */
+    const int32_t first_x_96 = first_x_95 + first_w_negated_6;  /* F30, |x| <= 1.29 */
+    const int64_t first_x_97 = (int64_t)first_x_92 * first_x_35;  /* F66 */
+    const int64_t first_x_98 = (int64_t)first_x_94 * first_x_37;  /* F66 */
+    const int64_t first_x_99 = first_x_97 + first_x_98;  /* F66 */
+    const int64_t first_x_100 = (int64_t)first_x_96 * first_x_39;  /* F66 */
+    const int64_t first_x_101 = first_x_99 + first_x_100;  /* F66 */
+    const int32_t first_x_102 = round_32(first_x_101);  /* F34, |x| <= 0.0964 */
+    const int64_t first_x_103 = (int64_t)first_w_negated_12 + first_x_102;  /* F34 */
+    const int32_t first_x_104 = (int32_t)first_x_103;  /* F34, |x| <= 0.0643 */
+    const int64_t first_w_negated_49 = (int64_t)first_w_negated_48 * first_x_35;  /* F66 */
+    const int64_t first_w_negated_50 = (int64_t)first_x_94 * first_x_39;  /* F66 */
+    const int64_t first_w_negated_51 = first_w_negated_49 + first_w_negated_50;  /* F66 */
+    const int64_t first_w_negated_52 = (int64_t)first_x_96 * first_x_37;  /* F66 */
+    const int64_t first_w_negated_53 = first_w_negated_51 - first_w_negated_52;  /* F66 */
+    const int32_t first_w_negated_54 = round_32(first_w_negated_53);  /* F34, |x| <= 0.0964 */
+    const int32_t first_w_negated_55 = round_short_1(first_x_45);  /* F34 */
+    const int32_t first_w_negated_56 = first_w_negated_55 + first_w_negated_54;  /* F34, |x| <= 0.0643 */
+    const int64_t first_w_negated_57 = (int64_t)first_w_negated_48 * first_x_37;  /* F66 */
+    const int64_t first_w_negated_58 = (int64_t)first_x_96 * first_x_35;  /* F66 */
+    const int64_t first_w_negated_59 = first_w_negated_57 + first_w_negated_58;  /* F66 */
+    const int64_t first_w_negated_60 = (int64_t)first_x_92 * first_x_39;  /* F66 */
+    const int64_t first_w_negated_61 = first_w_negated_59 - first_w_negated_60;  /* F66 */
+    const int32_t first_w_negated_62 = round_32(first_w_negated_61);  /* F34, |x| <= 0.0964 */
+    const int32_t first_w_negated_63 = round_short_1(first_x_51);  /* F34 */
+    const int32_t first_w_negated_64 = first_w_negated_63 + first_w_negated_62;  /* F34, |x| <= 0.0643 */
+    const int64_t first_w_negated_65 = (int64_t)first_w_negated_48 * first_x_39;  /* F66 */
+    const int64_t first_w_negated_66 = (int64_t)first_x_92 * first_x_37;  /* F66 */
+    const int64_t first_w_negated_67 = first_w_negated_65 + first_w_negated_66;  /* F66 */
+    const int64_t first_w_negated_68 = (int64_t)first_x_94 * first_x_35;  /* F66 */
+    const int64_t first_w_negated_69 = first_w_negated_67 - first_w_negated_68;  /* F66 */
+    const int32_t first_w_negated_70 = round_32(first_w_negated_69);  /* F34, |x| <= 0.0964 */
+    const int32_t first_w_negated_71 = round_short_1(first_x_57);  /* F34 */
+    const int32_t first_w_negated_72 = first_w_negated_71 + first_w_negated_70;  /* F34, |x| <= 0.0643 */
+    const int64_t first_x_105 = (int64_t)first_x_69 + first_w_negated_45;  /* F35 */
+    const int32_t first_x_106 = round_1(first_x_105);  /* F34, |x| <= 0.0802 */
+    const int64_t first_w_negated_73 = (int64_t)first_w_negated_21 + first_x_78;  /* F35 */
+    const int32_t first_w_negated_74 = round_1(first_w_negated_73);  /* F34, |x| <= 0.0802 */
+    const int64_t first_w_negated_75 = (int64_t)first_w_negated_27 + first_x_84;  /* F35 */
+    const int32_t first_w_negated_76 = round_1(first_w_negated_75);  /* F34, |x| <= 0.0802 */
+    const int64_t first_w_negated_77 = (int64_t)first_w_negated_33 + first_x_90;  /* F35 */
+    const int32_t first_w_negated_78 = round_1(first_w_negated_77);  /* F34, |x| <= 0.0802 */
 
     /* dq2 = (k1 + k4)/6 + (k2 + k3)/3 of step 3   [Runge-Kutta] */
-    const int64_t first_x_110 = dq0_w_negated * INT64_C(2147483648);  /* F66 */
-    const int64_t first_x_111 = (int64_t)715827883 /* 1/6 */ * first_x_107;  /* F66 */
-    const int64_t first_x_112 = first_x_110 + first_x_111;  /* F66 */
-    const int64_t first_x_113 = (int64_t)1431655765 /* 1/3 */ * first_x_109;  /* F66 */
-    const int64_t first_x_114 = first_x_112 + first_x_113;  /* F66 */
-    const int32_t first_x_115 = round_32(first_x_114);  /* F34, |x| <= 0.0819 */
-    const int64_t first_w_negated_82 = dq0_x * INT64_C(2147483648);  /* F66 */
-    const int64_t first_w_negated_83 = (int64_t)715827883 /* 1/6 */ * first_w_negated_59;  /* F66 */
-    const int64_t first_w_negated_84 = first_w_negated_82 + first_w_negated_83;  /* F66 */
-    const int64_t first_w_negated_85 = (int64_t)1431655765 /* 1/3 */ * first_w_negated_77;  /* F66 */
-    const int64_t first_w_negated_86 = first_w_negated_84 + first_w_negated_85;  /* F66 */
-    const int32_t first_w_negated_87 = round_32(first_w_negated_86);  /* F34, |x| <= 0.0819 */
-    const int64_t first_w_negated_88 = dq0_y * INT64_C(2147483648);  /* F66 */
-    const int64_t first_w_negated_89 = (int64_t)715827883 /* 1/6 */ * first_w_negated_67;  /* F66 */
-    const int64_t first_w_negated_90 = first_w_negated_88 + first_w_negated_89;  /* F66 */
-    const int64_t first_w_negated_91 = (int64_t)1431655765 /* 1/3 */ * first_w_negated_79;  /* F66 */
-    const int64_t first_w_negated_92 = first_w_negated_90 + first_w_negated_91;  /* F66 */
-    const int32_t first_w_negated_93 = round_32(first_w_negated_92);  /* F34, |x| <= 0.0819 */
-    const int64_t first_w_negated_94 = dq0_z * INT64_C(2147483648);  /* F66 */
-    const int64_t first_w_negated_95 = (int64_t)715827883 /* 1/6 */ * first_w_negated_75;  /* F66 */
-    const int64_t first_w_negated_96 = first_w_negated_94 + first_w_negated_95;  /* F66 */
-    const int64_t first_w_negated_97 = (int64_t)1431655765 /* 1/3 */ * first_w_negated_81;  /* F66 */
-    const int64_t first_w_negated_98 = first_w_negated_96 + first_w_negated_97;  /* F66 */
-    const int32_t first_w_negated_99 = round_32(first_w_negated_98);  /* F34, |x| <= 0.0819 */
-    const int32_t first_x_116 = -first_x_115;  /* F34 */
-    const int32_t first_x_117 = round_short_4(first_x_116);  /* F30 */
-    const int32_t first_x_118 = first_x_117 + q_w;  /* F30, |x| <= 1.29 */
-    const int32_t first_w_negated_100 = round_short_4(first_w_negated_87);  /* F30 */
-    const int32_t first_w_negated_101 = first_w_negated_100 + q_x;  /* F30, |x| <= 1.29 */
-    const int32_t first_w_negated_102 = round_short_4(first_w_negated_93);  /* F30 */
-    const int32_t first_w_negated_103 = first_w_negated_102 + q_y;  /* F30, |x| <= 1.29 */
-    const int32_t first_w_negated_104 = round_short_4(first_w_negated_99);  /* F30 */
-    const int32_t first_w_negated_105 = first_w_negated_104 + q_z;  /* F30, |x| <= 1.29 */
+    const int64_t first_x_107 = dq0_w_negated * INT64_C(2147483648);  /* F66 */
+    const int64_t first_x_108 = (int64_t)715827883 /* 1/6 */ * first_x_104;  /* F66 */
+    const int64_t first_x_109 = first_x_107 + first_x_108;  /* F66 */
+    const int64_t first_x_110 = (int64_t)1431655765 /* 1/3 */ * first_x_106;  /* F66 */
+    const int64_t first_x_111 = first_x_109 + first_x_110;  /* F66 */
+    const int32_t first_x_112 = round_32(first_x_111);  /* F34, |x| <= 0.0819 */
+    const int64_t first_w_negated_79 = dq0_x * INT64_C(2147483648);  /* F66 */
+    const int64_t first_w_negated_80 = (int64_t)715827883 /* 1/6 */ * first_w_negated_56;  /* F66 */
+    const int64_t first_w_negated_81 = first_w_negated_79 + first_w_negated_80;  /* F66 */
+    const int64_t first_w_negated_82 = (int64_t)1431655765 /* 1/3 */ * first_w_negated_74;  /* F66 */
+    const int64_t first_w_negated_83 = first_w_negated_81 + first_w_negated_82;  /* F66 */
+    const int32_t first_w_negated_84 = round_32(first_w_negated_83);  /* F34, |x| <= 0.0819 */
+    const int64_t first_w_negated_85 = dq0_y * INT64_C(2147483648);  /* F66 */
+    const int64_t first_w_negated_86 = (int64_t)715827883 /* 1/6 */ * first_w_negated_64;  /* F66 */
+    const int64_t first_w_negated_87 = first_w_negated_85 + first_w_negated_86;  /* F66 */
+    const int64_t first_w_negated_88 = (int64_t)1431655765 /* 1/3 */ * first_w_negated_76;  /* F66 */
+    const int64_t first_w_negated_89 = first_w_negated_87 + first_w_negated_88;  /* F66 */
+    const int32_t first_w_negated_90 = round_32(first_w_negated_89);  /* F34, |x| <= 0.0819 */
+    const int64_t first_w_negated_91 = dq0_z * INT64_C(2147483648);  /* F66 */
+    const int64_t first_w_negated_92 = (int64_t)715827883 /* 1/6 */ * first_w_negated_72;  /* F66 */
+    const int64_t first_w_negated_93 = first_w_negated_91 + first_w_negated_92;  /* F66 */
+    const int64_t first_w_negated_94 = (int64_t)1431655765 /* 1/3 */ * first_w_negated_78;  /* F66 */
+    const int64_t first_w_negated_95 = first_w_negated_93 + first_w_negated_94;  /* F66 */
+    const int32_t first_w_negated_96 = round_32(first_w_negated_95);  /* F34, |x| <= 0.0819 */
+    const int32_t first_x_113 = -first_x_112;  /* F34 */
+    const int32_t first_x_114 = round_short_4(first_x_113);  /* F30 */
+    const int32_t first_x_115 = first_x_114 + q_w;  /* F30, |x| <= 1.29 */
+    const int32_t first_w_negated_97 = round_short_4(first_w_negated_84);  /* F30 */
+    const int32_t first_w_negated_98 = first_w_negated_97 + q_x;  /* F30, |x| <= 1.29 */
+    const int32_t first_w_negated_99 = round_short_4(first_w_negated_90);  /* F30 */
+    const int32_t first_w_negated_100 = first_w_negated_99 + q_y;  /* F30, |x| <= 1.29 */
+    const int32_t first_w_negated_101 = round_short_4(first_w_negated_96);  /* F30 */
+    const int32_t first_w_negated_102 = first_w_negated_101 + q_z;  /* F30, |x| <= 1.29 */
     const int64_t dq_e_w_1 = (int64_t)1374389535 /* 1/400 */ * middle_x;  /* F65 */
     const int32_t dq_e_w_2 = round_30(dq_e_w_1);  /* F35, |x| <= 0.041 */
     const int64_t dq_e_w_3 = (int64_t)1374389535 /* 1/400 */ * middle_y;  /* F65 */
@@ -834,150 +818,144 @@ static void adams_moulton_4_fixed32_start_up(adams_moulton_4_fixed32_state *stat
     const int32_t dq_e_w_10 = round_29(dq_e_w_9);  /* F36, |x| <= 0.0251 */
     const int64_t dq_e_w_11 = (int64_t)1374389535 /* 1/400 */ * omega_z;  /* F65 */
     const int32_t dq_e_w_12 = round_29(dq_e_w_11);  /* F36, |x| <= 0.0251 */
-    const int64_t first_w_negated_106 = (int64_t)first_w_negated_101 * first_x_35;  /* F66 */
-    const int64_t first_w_negated_107 = (int64_t)first_w_negated_103 * first_x_37;  /* F66 */
-    const int64_t first_w_negated_108 = first_w_negated_106 + first_w_negated_107;  /* F66 */
-    const int64_t first_w_negated_109 = (int64_t)first_w_negated_105 * first_x_39;  /* F66 */
-    const int64_t first_w_negated_110 = first_w_negated_108 + first_w_negated_109;  /* F66 */
-    const int32_t first_w_negated = round_32(first_w_negated_110);  /* F34, |x| <= 0.0962 */
-    const int64_t first_x_119 = (int64_t)first_x_118 * first_x_35;  /* F66 */
-    const int64_t first_x_120 = (int64_t)first_w_negated_103 * first_x_39;  /* F66 */
-    const int64_t first_x_121 = first_x_119 + first_x_120;  /* F66 */
-    const int64_t first_x_122 = (int64_t)first_w_negated_105 * first_x_37;  /* F66 */
-    const int64_t first_x_123 = first_x_121 - first_x_122;  /* F66 */
-    const int32_t first_x = round_31(first_x_123);  /* F35, |x| <= 0.0321 */
-    const int64_t first_y_1 = (int64_t)first_x_118 * first_x_37;  /* F66 */
-    const int64_t first_y_2 = (int64_t)first_w_negated_105 * first_x_35;  /* F66 */
+    const int64_t first_w_negated_103 = (int64_t)first_w_negated_98 * first_x_35;  /* F66 */
+    const int64_t first_w_negated_104 = (int64_t)first_w_negated_100 * first_x_37;  /* F66 */
+    const int64_t first_w_negated_105 = first_w_negated_103 + first_w_negated_104;  /* F66 */
+    const int64_t first_w_negated_106 = (int64_t)first_w_negated_102 * first_x_39;  /* F66 */
+    const int64_t first_w_negated_107 = first_w_negated_105 + first_w_negated_106;  /* F66 */
+    const int32_t first_w_negated = round_32(first_w_negated_107);  /* F34, |x| <= 0.0962 */
+    const int64_t first_x_116 = (int64_t)first_x_115 * first_x_35;  /* F66 */
+    const int64_t first_x_117 = (int64_t)first_w_negated_100 * first_x_39;  /* F66 */
+    const int64_t first_x_118 = first_x_116 + first_x_117;  /* F66 */
+    const int64_t first_x_119 = (int64_t)first_w_negated_102 * first_x_37;  /* F66 */
+    const int64_t first_x_120 = first_x_118 - first_x_119;  /* F66 */
+    const int32_t first_x = round_31(first_x_120);  /* F35, |x| <= 0.0321 */
+    const int64_t first_y_1 = (int64_t)first_x_115 * first_x_37;  /* F66 */
+    const int64_t first_y_2 = (int64_t)first_w_negated_102 * first_x_35;  /* F66 */
     const int64_t first_y_3 = first_y_1 + first_y_2;  /* F66 */
-    const int64_t first_y_4 = (int64_t)first_w_negated_101 * first_x_39;  /* F66 */
+    const int64_t first_y_4 = (int64_t)first_w_negated_98 * first_x_39;  /* F66 */
     const int64_t first_y_5 = first_y_3 - first_y_4;  /* F66 */
     const int32_t first_y = round_31(first_y_5);  /* F35, |x| <= 0.0321 */
-    const int64_t first_z_1 = (int64_t)first_x_118 * first_x_39;  /* F66 */
-    const int64_t first_z_2 = (int64_t)first_w_negated_101 * first_x_37;  /* F66 */
+    const int64_t first_z_1 = (int64_t)first_x_115 * first_x_39;  /* F66 */
+    const int64_t first_z_2 = (int64_t)first_w_negated_98 * first_x_37;  /* F66 */
     const int64_t first_z_3 = first_z_1 + first_z_2;  /* F66 */
-    const int64_t first_z_4 = (int64_t)first_w_negated_103 * first_x_35;  /* F66 */
+    const int64_t first_z_4 = (int64_t)first_w_negated_100 * first_x_35;  /* F66 */
     const int64_t first_z_5 = first_z_3 - first_z_4;  /* F66 */
     const int32_t first_z = round_31(first_z_5);  /* F35, |x| <= 0.0321 */
-    const int64_t q_next_x_1 = first_x_118 * INT64_C(32);  /* F35 */
-    const int64_t q_next_x_2 = q_next_x_1 - first_w_negated;  /* F35 */
-    const int32_t q_next_x_3 = round_5(q_next_x_2);  /* F30, |x| <= 1.3 */
-    const int64_t dq_e_w_13 = first_w_negated_101 * INT64_C(64);  /* F36 */
-    const int64_t dq_e_w_14 = dq_e_w_13 + first_x;  /* F36 */
-    const int32_t dq_e_w_15 = round_6(dq_e_w_14);  /* F30, |x| <= 1.3 */
-    const int64_t dq_e_w_16 = first_w_negated_103 * INT64_C(64);  /* F36 */
-    const int64_t dq_e_w_17 = dq_e_w_16 + first_y;  /* F36 */
-    const int32_t dq_e_w_18 = round_6(dq_e_w_17);  /* F30, |x| <= 1.3 */
-    const int64_t dq_e_w_19 = first_w_negated_105 * INT64_C(64);  /* F36 */
-    const int64_t dq_e_w_20 = dq_e_w_19 + first_z;  /* F36 */
-    const int32_t dq_e_w_21 = round_6(dq_e_w_20);  /* F30, |x| <= 1.3 */
-    const int64_t dq_e_w_22 = (int64_t)dq_e_w_15 * dq_e_w_2;  /* F65 */
-    const int64_t dq_e_w_23 = (int64_t)dq_e_w_18 * dq_e_w_4;  /* F65 */
-    const int64_t dq_e_w_24 = dq_e_w_22 + dq_e_w_23;  /* F65 */
-    const int64_t dq_e_w_25 = (int64_t)dq_e_w_21 * dq_e_w_6;  /* F65 */
-    const int64_t dq_e_w_26 = dq_e_w_24 + dq_e_w_25;  /* F65 */
-    const int32_t dq_e_w_27 = round_30(dq_e_w_26);  /* F35, |x| <= 0.0532 */
+    const int32_t q_next_x_1 = -first_w_negated;  /* F35 */
+    const int32_t q_next_x_2 = round_short_5(q_next_x_1);  /* F30 */
+    const int32_t q_next_x_3 = q_next_x_2 + first_x_115;  /* F30, |x| <= 1.3 */
+    const int32_t dq_e_w_13 = round_short_6(first_x);  /* F30 */
+    const int32_t dq_e_w_14 = dq_e_w_13 + first_w_negated_98;  /* F30, |x| <= 1.3 */
+    const int32_t dq_e_w_15 = round_short_6(first_y);  /* F30 */
+    const int32_t dq_e_w_16 = dq_e_w_15 + first_w_negated_100;  /* F30, |x| <= 1.3 */
+    const int32_t dq_e_w_17 = round_short_6(first_z);  /* F30 */
+    const int32_t dq_e_w_18 = dq_e_w_17 + first_w_negated_102;  /* F30, |x| <= 1.3 */
+    const int64_t dq_e_w_19 = (int64_t)dq_e_w_14 * dq_e_w_2;  /* F65 */
+    const int64_t dq_e_w_20 = (int64_t)dq_e_w_16 * dq_e_w_4;  /* F65 */
+    const int64_t dq_e_w_21 = dq_e_w_19 + dq_e_w_20;  /* F65 */
+    const int64_t dq_e_w_22 = (int64_t)dq_e_w_18 * dq_e_w_6;  /* F65 */
+    const int64_t dq_e_w_23 = dq_e_w_21 + dq_e_w_22;  /* F65 */
+    const int32_t dq_e_w_24 = round_30(dq_e_w_23);  /* F35, |x| <= 0.0532 */
     const int64_t q_next_x_4 = (int64_t)q_next_x_3 * dq_e_w_2;  /* F65 */
-    const int64_t q_next_x_5 = (int64_t)dq_e_w_18 * dq_e_w_6;  /* F65 */
+    const int64_t q_next_x_5 = (int64_t)dq_e_w_16 * dq_e_w_6;  /* F65 */
     const int64_t q_next_x_6 = q_next_x_4 + q_next_x_5;  /* F65 */
-    const int64_t q_next_x_7 = (int64_t)dq_e_w_21 * dq_e_w_4;  /* F65 */
+    const int64_t q_next_x_7 = (int64_t)dq_e_w_18 * dq_e_w_4;  /* F65 */
     const int64_t q_next_x_8 = q_next_x_6 - q_next_x_7;  /* F65 */
     const int32_t q_next_x_9 = round_30(q_next_x_8);  /* F35, |x| <= 0.0532 */
     const int64_t q_next_x_10 = (int64_t)q_next_x_3 * dq_e_w_4;  /* F65 */
-    const int64_t q_next_x_11 = (int64_t)dq_e_w_21 * dq_e_w_2;  /* F65 */
+    const int64_t q_next_x_11 = (int64_t)dq_e_w_18 * dq_e_w_2;  /* F65 */
     const int64_t q_next_x_12 = q_next_x_10 + q_next_x_11;  /* F65 */
-    const int64_t q_next_x_13 = (int64_t)dq_e_w_15 * dq_e_w_6;  /* F65 */
+    const int64_t q_next_x_13 = (int64_t)dq_e_w_14 * dq_e_w_6;  /* F65 */
     const int64_t q_next_x_14 = q_next_x_12 - q_next_x_13;  /* F65 */
     const int32_t q_next_x_15 = round_30(q_next_x_14);  /* F35, |x| <= 0.0532 */
     const int64_t q_next_x_16 = (int64_t)q_next_x_3 * dq_e_w_6;  /* F65 */
-    const int64_t q_next_x_17 = (int64_t)dq_e_w_15 * dq_e_w_4;  /* F65 */
+    const int64_t q_next_x_17 = (int64_t)dq_e_w_14 * dq_e_w_4;  /* F65 */
     const int64_t q_next_x_18 = q_next_x_16 + q_next_x_17;  /* F65 */
-    const int64_t q_next_x_19 = (int64_t)dq_e_w_18 * dq_e_w_2;  /* F65 */
+    const int64_t q_next_x_19 = (int64_t)dq_e_w_16 * dq_e_w_2;  /* F65 */
     const int64_t q_next_x_20 = q_next_x_18 - q_next_x_19;  /* F65 */
     const int32_t q_next_x_21 = round_30(q_next_x_20);  /* F35, |x| <= 0.0532 */
-    const int64_t dq_e_w_28 = first_x_118 * INT64_C(64);  /* F36 */
-    const int64_t dq_e_w_29 = dq_e_w_28 - dq_e_w_27;  /* F36 */
-    const int32_t dq_e_w_30 = round_6(dq_e_w_29);  /* F30, |x| <= 1.31 */
-    const int64_t q_next_x_22 = first_w_negated_101 * INT64_C(64);  /* F36 */
-    const int64_t q_next_x_23 = q_next_x_22 + q_next_x_9;  /* F36 */
-    const int32_t q_next_x_24 = round_6(q_next_x_23);  /* F30, |x| <= 1.31 */
-    const int64_t q_next_x_25 = first_w_negated_103 * INT64_C(64);  /* F36 */
-    const int64_t q_next_x_26 = q_next_x_25 + q_next_x_15;  /* F36 */
-    const int32_t q_next_x_27 = round_6(q_next_x_26);  /* F30, |x| <= 1.31 */
-    const int64_t q_next_x_28 = first_w_negated_105 * INT64_C(64);  /* F36 */
-    const int64_t q_next_x_29 = q_next_x_28 + q_next_x_21;  /* F36 */
-    const int32_t q_next_x_30 = round_6(q_next_x_29);  /* F30, |x| <= 1.31 */
-    const int64_t q_next_x_31 = (int64_t)q_next_x_24 * dq_e_w_2;  /* F65 */
-    const int64_t q_next_x_32 = (int64_t)q_next_x_27 * dq_e_w_4;  /* F65 */
-    const int64_t q_next_x_33 = q_next_x_31 + q_next_x_32;  /* F65 */
-    const int64_t q_next_x_34 = (int64_t)q_next_x_30 * dq_e_w_6;  /* F65 */
-    const int64_t q_next_x_35 = q_next_x_33 + q_next_x_34;  /* F65 */
-    const int32_t q_next_x_36 = round_30(q_next_x_35);  /* F35, |x| <= 0.0536 */
-    const int64_t dq_e_w_31 = (int64_t)dq_e_w_30 * dq_e_w_2;  /* F65 */
-    const int64_t dq_e_w_32 = (int64_t)q_next_x_27 * dq_e_w_6;  /* F65 */
-    const int64_t dq_e_w_33 = dq_e_w_31 + dq_e_w_32;  /* F65 */
-    const int64_t dq_e_w_34 = (int64_t)q_next_x_30 * dq_e_w_4;  /* F65 */
-    const int64_t dq_e_w_35 = dq_e_w_33 - dq_e_w_34;  /* F65 */
-    const int32_t dq_e_w_36 = round_30(dq_e_w_35);  /* F35, |x| <= 0.0536 */
-    const int64_t dq_e_w_37 = (int64_t)dq_e_w_30 * dq_e_w_4;  /* F65 */
-    const int64_t dq_e_w_38 = (int64_t)q_next_x_30 * dq_e_w_2;  /* F65 */
-    const int64_t dq_e_w_39 = dq_e_w_37 + dq_e_w_38;  /* F65 */
-    const int64_t dq_e_w_40 = (int64_t)q_next_x_24 * dq_e_w_6;  /* F65 */
-    const int64_t dq_e_w_41 = dq_e_w_39 - dq_e_w_40;  /* F65 */
-    const int32_t dq_e_w_42 = round_30(dq_e_w_41);  /* F35, |x| <= 0.0536 */
-    const int64_t dq_e_w_43 = (int64_t)dq_e_w_30 * dq_e_w_6;  /* F65 */
-    const int64_t dq_e_w_44 = (int64_t)q_next_x_24 * dq_e_w_4;  /* F65 */
-    const int64_t dq_e_w_45 = dq_e_w_43 + dq_e_w_44;  /* F65 */
-    const int64_t dq_e_w_46 = (int64_t)q_next_x_27 * dq_e_w_2;  /* F65 */
-    const int64_t dq_e_w_47 = dq_e_w_45 - dq_e_w_46;  /* F65 */
-    const int32_t dq_e_w_48 = round_30(dq_e_w_47);  /* F35, |x| <= 0.0536 */
-    const int32_t q_next_x_37 = -q_next_x_36;  /* F35 */
-    const int32_t q_next_x_38 = round_short_5(q_next_x_37);  /* F30 */
-    const int32_t q_next_x_39 = q_next_x_38 + first_x_118;  /* F30, |x| <= 1.34 */
-    const int32_t dq_e_w_49 = round_short_5(dq_e_w_36);  /* F30 */
-    const int32_t dq_e_w_50 = dq_e_w_49 + first_w_negated_101;  /* F30, |x| <= 1.34 */
-    const int32_t dq_e_w_51 = round_short_5(dq_e_w_42);  /* F30 */
-    const int32_t dq_e_w_52 = dq_e_w_51 + first_w_negated_103;  /* F30, |x| <= 1.34 */
-    const int32_t dq_e_w_53 = round_short_5(dq_e_w_48);  /* F30 */
-    const int32_t dq_e_w_54 = dq_e_w_53 + first_w_negated_105;  /* F30, |x| <= 1.34 */
-    const int64_t dq_e_w_55 = (int64_t)dq_e_w_50 * dq_e_w_8;  /* F66 */
-    const int64_t dq_e_w_56 = (int64_t)dq_e_w_52 * dq_e_w_10;  /* F66 */
-    const int64_t dq_e_w_57 = dq_e_w_55 + dq_e_w_56;  /* F66 */
-    const int64_t dq_e_w_58 = (int64_t)dq_e_w_54 * dq_e_w_12;  /* F66 */
-    const int64_t dq_e_w_59 = dq_e_w_57 + dq_e_w_58;  /* F66 */
-    const int32_t dq_e_w_60 = round_32(dq_e_w_59);  /* F34, |x| <= 0.101 */
-    const int64_t dq_e_w_61 = (int64_t)first_w_negated + dq_e_w_60;  /* F34 */
-    const int32_t dq_e_w_62 = (int32_t)dq_e_w_61;  /* F34, |x| <= 0.0655 */
-    const int64_t q_next_x_40 = (int64_t)q_next_x_39 * dq_e_w_8;  /* F66 */
-    const int64_t q_next_x_41 = (int64_t)dq_e_w_52 * dq_e_w_12;  /* F66 */
-    const int64_t q_next_x_42 = q_next_x_40 + q_next_x_41;  /* F66 */
-    const int64_t q_next_x_43 = (int64_t)dq_e_w_54 * dq_e_w_10;  /* F66 */
-    const int64_t q_next_x_44 = q_next_x_42 - q_next_x_43;  /* F66 */
-    const int32_t q_next_x_45 = round_32(q_next_x_44);  /* F34, |x| <= 0.101 */
-    const int32_t q_next_x_46 = round_short_1(first_x);  /* F34 */
-    const int32_t q_next_x_47 = q_next_x_46 + q_next_x_45;  /* F34, |x| <= 0.0655 */
-    const int64_t q_next_y_1 = (int64_t)q_next_x_39 * dq_e_w_10;  /* F66 */
-    const int64_t q_next_y_2 = (int64_t)dq_e_w_54 * dq_e_w_8;  /* F66 */
+    const int32_t dq_e_w_25 = -dq_e_w_24;  /* F36 */
+    const int32_t dq_e_w_26 = round_short_6(dq_e_w_25);  /* F30 */
+    const int32_t dq_e_w_27 = dq_e_w_26 + first_x_115;  /* F30, |x| <= 1.31 */
+    const int32_t q_next_x_22 = round_short_6(q_next_x_9);  /* F30 */
+    const int32_t q_next_x_23 = q_next_x_22 + first_w_negated_98;  /* F30, |x| <= 1.31 */
+    const int32_t q_next_x_24 = round_short_6(q_next_x_15);  /* F30 */
+    const int32_t q_next_x_25 = q_next_x_24 + first_w_negated_100;  /* F30, |x| <= 1.31 */
+    const int32_t q_next_x_26 = round_short_6(q_next_x_21);  /* F30 */
+    const int32_t q_next_x_27 = q_next_x_26 + first_w_negated_102;  /* F30, |x| <= 1.31 */
+    const int64_t q_next_x_28 = (int64_t)q_next_x_23 * dq_e_w_2;  /* F65 */
+    const int64_t q_next_x_29 = (int64_t)q_next_x_25 * dq_e_w_4;  /* F65 */
+    const int64_t q_next_x_30 = q_next_x_28 + q_next_x_29;  /* F65 */
+    const int64_t q_next_x_31 = (int64_t)q_next_x_27 * dq_e_w_6;  /* F65 */
+    const int64_t q_next_x_32 = q_next_x_30 + q_next_x_31;  /* F65 */
+    const int32_t q_next_x_33 = round_30(q_next_x_32);  /* F35, |x| <= 0.0536 */
+    const int64_t dq_e_w_28 = (int64_t)dq_e_w_27 * dq_e_w_2;  /* F65 */
+    const int64_t dq_e_w_29 = (int64_t)q_next_x_25 * dq_e_w_6;  /* F65 */
+    const int64_t dq_e_w_30 = dq_e_w_28 + dq_e_w_29;  /* F65 */
+    const int64_t dq_e_w_31 = (int64_t)q_next_x_27 * dq_e_w_4;  /* F65 */
+    const int64_t dq_e_w_32 = dq_e_w_30 - dq_e_w_31;  /* F65 */
+    const int32_t dq_e_w_33 = round_30(dq_e_w_32);  /* F35, |x| <= 0.0536 */
+    const int64_t dq_e_w_34 = (int64_t)dq_e_w_27 * dq_e_w_4;  /* F65 */
+    const int64_t dq_e_w_35 = (int64_t)q_next_x_27 * dq_e_w_2;  /* F65 */
+    const int64_t dq_e_w_36 = dq_e_w_34 + dq_e_w_35;  /* F65 */
+    const int64_t dq_e_w_37 = (int64_t)q_next_x_23 * dq_e_w_6;  /* F65 */
+    const int64_t dq_e_w_38 = dq_e_w_36 - dq_e_w_37;  /* F65 */
+    const int32_t dq_e_w_39 = round_30(dq_e_w_38);  /* F35, |x| <= 0.0536 */
+    const int64_t dq_e_w_40 = (int64_t)dq_e_w_27 * dq_e_w_6;  /* F65 */
+    const int64_t dq_e_w_41 = (int64_t)q_next_x_23 * dq_e_w_4;  /* F65 */
+    const int64_t dq_e_w_42 = dq_e_w_40 + dq_e_w_41;  /* F65 */
+    const int64_t dq_e_w_43 = (int64_t)q_next_x_25 * dq_e_w_2;  /* F65 */
+    const int64_t dq_e_w_44 = dq_e_w_42 - dq_e_w_43;  /* F65 */
+    const int32_t dq_e_w_45 = round_30(dq_e_w_44);  /* F35, |x| <= 0.0536 */
+    const int32_t q_next_x_34 = -q_next_x_33;  /* F35 */
+    const int32_t q_next_x_35 = round_short_5(q_next_x_34);  /* F30 */
+    const int32_t q_next_x_36 = q_next_x_35 + first_x_115;  /* F30, |x| <= 1.34 */
+    const int32_t dq_e_w_46 = round_short_5(dq_e_w_33);  /* F30 */
+    const int32_t dq_e_w_47 = dq_e_w_46 + first_w_negated_98;  /* F30, |x| <= 1.34 */
+    const int32_t dq_e_w_48 = round_short_5(dq_e_w_39);  /* F30 */
+    const int32_t dq_e_w_49 = dq_e_w_48 + first_w_negated_100;  /* F30, |x| <= 1.34 */
+    const int32_t dq_e_w_50 = round_short_5(dq_e_w_45);  /* F30 */
+    const int32_t dq_e_w_51 = dq_e_w_50 + first_w_negated_102;  /* F30, |x| <= 1.34 */
+    const int64_t dq_e_w_52 = (int64_t)dq_e_w_47 * dq_e_w_8;  /* F66 */
+    const int64_t dq_e_w_53 = (int64_t)dq_e_w_49 * dq_e_w_10;  /* F66 */
+    const int64_t dq_e_w_54 = dq_e_w_52 + dq_e_w_53;  /* F66 */
+    const int64_t dq_e_w_55 = (int64_t)dq_e_w_51 * dq_e_w_12;  /* F66 */
+    const int64_t dq_e_w_56 = dq_e_w_54 + dq_e_w_55;  /* F66 */
+    const int32_t dq_e_w_57 = round_32(dq_e_w_56);  /* F34, |x| <= 0.101 */
+    const int64_t dq_e_w_58 = (int64_t)first_w_negated + dq_e_w_57;  /* F34 */
+    const int32_t dq_e_w_59 = (int32_t)dq_e_w_58;  /* F34, |x| <= 0.0655 */
+    const int64_t q_next_x_37 = (int64_t)q_next_x_36 * dq_e_w_8;  /* F66 */
+    const int64_t q_next_x_38 = (int64_t)dq_e_w_49 * dq_e_w_12;  /* F66 */
+    const int64_t q_next_x_39 = q_next_x_37 + q_next_x_38;  /* F66 */
+    const int64_t q_next_x_40 = (int64_t)dq_e_w_51 * dq_e_w_10;  /* F66 */
+    const int64_t q_next_x_41 = q_next_x_39 - q_next_x_40;  /* F66 */
+    const int32_t q_next_x_42 = round_32(q_next_x_41);  /* F34, |x| <= 0.101 */
+    const int32_t q_next_x_43 = round_short_1(first_x);  /* F34 */
+    const int32_t q_next_x_44 = q_next_x_43 + q_next_x_42;  /* F34, |x| <= 0.0655 */
+    const int64_t q_next_y_1 = (int64_t)q_next_x_36 * dq_e_w_10;  /* F66 */
+    const int64_t q_next_y_2 = (int64_t)dq_e_w_51 * dq_e_w_8;  /* F66 */
     const int64_t q_next_y_3 = q_next_y_1 + q_next_y_2;  /* F66 */
-    const int64_t q_next_y_4 = (int64_t)dq_e_w_50 * dq_e_w_12;  /* F66 */
+    const int64_t q_next_y_4 = (int64_t)dq_e_w_47 * dq_e_w_12;  /* F66 */
     const int64_t q_next_y_5 = q_next_y_3 - q_next_y_4;  /* F66 */
     const int32_t q_next_y_6 = round_32(q_next_y_5);  /* F34, |x| <= 0.101 */
     const int32_t q_next_y_7 = round_short_1(first_y);  /* F34 */
     const int32_t q_next_y_8 = q_next_y_7 + q_next_y_6;  /* F34, |x| <= 0.0655 */
-    const int64_t q_next_z_1 = (int64_t)q_next_x_39 * dq_e_w_12;  /* F66 */
-    const int64_t q_next_z_2 = (int64_t)dq_e_w_50 * dq_e_w_10;  /* F66 */
+    const int64_t q_next_z_1 = (int64_t)q_next_x_36 * dq_e_w_12;  /* F66 */
+    const int64_t q_next_z_2 = (int64_t)dq_e_w_47 * dq_e_w_10;  /* F66 */
     const int64_t q_next_z_3 = q_next_z_1 + q_next_z_2;  /* F66 */
-    const int64_t q_next_z_4 = (int64_t)dq_e_w_52 * dq_e_w_8;  /* F66 */
+    const int64_t q_next_z_4 = (int64_t)dq_e_w_49 * dq_e_w_8;  /* F66 */
     const int64_t q_next_z_5 = q_next_z_3 - q_next_z_4;  /* F66 */
     const int32_t q_next_z_6 = round_32(q_next_z_5);  /* F34, |x| <= 0.101 */
     const int32_t q_next_z_7 = round_short_1(first_z);  /* F34 */
     const int32_t q_next_z_8 = q_next_z_7 + q_next_z_6;  /* F34, |x| <= 0.0655 */
-    const int64_t dq_e_w_63 = (int64_t)dq_e_w_27 + q_next_x_36;  /* F35 */
-    const int32_t dq_e_w_64 = round_1(dq_e_w_63);  /* F34, |x| <= 0.107 */
-    const int64_t q_next_x_48 = (int64_t)q_next_x_9 + dq_e_w_36;  /* F35 */
-    const int32_t q_next_x_49 = round_1(q_next_x_48);  /* F34, |x| <= 0.107 */
-    const int64_t q_next_y_9 = (int64_t)q_next_x_15 + dq_e_w_42;  /* F35 */
+    const int64_t dq_e_w_60 = (int64_t)dq_e_w_24 + q_next_x_33;  /* F35 */
+    const int32_t dq_e_w_61 = round_1(dq_e_w_60);  /* F34, |x| <= 0.107 */
+    const int64_t q_next_x_45 = (int64_t)q_next_x_9 + dq_e_w_33;  /* F35 */
+    const int32_t q_next_x_46 = round_1(q_next_x_45);  /* F34, |x| <= 0.107 */
+    const int64_t q_next_y_9 = (int64_t)q_next_x_15 + dq_e_w_39;  /* F35 */
     const int32_t q_next_y_10 = round_1(q_next_y_9);  /* F34, |x| <= 0.107 */
-    const int64_t q_next_z_9 = (int64_t)q_next_x_21 + dq_e_w_48;  /* F35 */
+    const int64_t q_next_z_9 = (int64_t)q_next_x_21 + dq_e_w_45;  /* F35 */
     const int32_t q_next_z_10 = round_1(q_next_z_9);  /* F34, |x| <= 0.107 */
 
     /* e = (1 - |q|^2)/2   [renormalisation, folded into the scalar part] */
@@ -992,15 +970,15 @@ static void adams_moulton_4_fixed32_start_up(adams_moulton_4_fixed32_state *stat
     const int32_t e = round_28(e_8);  /* F33, |x| <= 0.221 */
 
     /* dq_e = dq + e q */
-    const int64_t dq_e_w_65 = (int64_t)e * q_w;  /* F63 */
-    const int64_t dq_e_w_66 = dq_e_w_65 * INT64_C(2);  /* F64 */
-    const int64_t dq_e_w_67 = first_x_115 * INT64_C(1073741824);  /* F64 */
-    const int64_t dq_e_w_68 = dq_e_w_66 - dq_e_w_67;  /* F64 */
-    const int64_t dq_e_w_69 = (int64_t)178956971 /* 1/6 */ * dq_e_w_62;  /* F64 */
-    const int64_t dq_e_w_70 = dq_e_w_68 - dq_e_w_69;  /* F64 */
-    const int64_t dq_e_w_71 = (int64_t)357913941 /* 1/3 */ * dq_e_w_64;  /* F64 */
-    const int64_t dq_e_w_72 = dq_e_w_70 - dq_e_w_71;  /* F64 */
-    const int32_t dq_e_w = round_34(dq_e_w_72);  /* F30, |x| <= 0.393 */
+    const int64_t dq_e_w_62 = (int64_t)e * q_w;  /* F63 */
+    const int64_t dq_e_w_63 = dq_e_w_62 * INT64_C(2);  /* F64 */
+    const int64_t dq_e_w_64 = first_x_112 * INT64_C(1073741824);  /* F64 */
+    const int64_t dq_e_w_65 = dq_e_w_63 - dq_e_w_64;  /* F64 */
+    const int64_t dq_e_w_66 = (int64_t)178956971 /* 1/6 */ * dq_e_w_59;  /* F64 */
+    const int64_t dq_e_w_67 = dq_e_w_65 - dq_e_w_66;  /* F64 */
+    const int64_t dq_e_w_68 = (int64_t)357913941 /* 1/3 */ * dq_e_w_61;  /* F64 */
+    const int64_t dq_e_w_69 = dq_e_w_67 - dq_e_w_68;  /* F64 */
+    const int32_t dq_e_w = round_34(dq_e_w_69);  /* F30, |x| <= 0.393 */
 
     /* q_next = q + dq */
     const int32_t q_next_w = q_w + dq_e_w;  /* F30, |x| <= 1.13 */
@@ -1010,16 +988,16 @@ static void adams_moulton_4_fixed32_start_up(adams_moulton_4_fixed32_state *stat
     const int32_t dq_e_x = round_31(dq_e_x_1);  /* F32, |x| <= 0.265 */
 
     /* q_next = q + dq */
-    const int64_t q_next_x_50 = q_x * INT64_C(4294967296);  /* F62 */
-    const int64_t q_next_x_51 = first_w_negated_87 * INT64_C(268435456);  /* F62 */
-    const int64_t q_next_x_52 = q_next_x_50 + q_next_x_51;  /* F62 */
-    const int64_t q_next_x_53 = (int64_t)44739243 /* 1/6 */ * q_next_x_47;  /* F62 */
-    const int64_t q_next_x_54 = q_next_x_52 + q_next_x_53;  /* F62 */
-    const int64_t q_next_x_55 = (int64_t)89478485 /* 1/3 */ * q_next_x_49;  /* F62 */
-    const int64_t q_next_x_56 = q_next_x_54 + q_next_x_55;  /* F62 */
-    const int64_t q_next_x_57 = dq_e_x * INT64_C(1073741824);  /* F62 */
-    const int64_t q_next_x_58 = q_next_x_56 + q_next_x_57;  /* F62 */
-    const int32_t q_next_x = round_32(q_next_x_58);  /* F30, |x| <= 1.13 */
+    const int64_t q_next_x_47 = q_x * INT64_C(4294967296);  /* F62 */
+    const int64_t q_next_x_48 = first_w_negated_84 * INT64_C(268435456);  /* F62 */
+    const int64_t q_next_x_49 = q_next_x_47 + q_next_x_48;  /* F62 */
+    const int64_t q_next_x_50 = (int64_t)44739243 /* 1/6 */ * q_next_x_44;  /* F62 */
+    const int64_t q_next_x_51 = q_next_x_49 + q_next_x_50;  /* F62 */
+    const int64_t q_next_x_52 = (int64_t)89478485 /* 1/3 */ * q_next_x_46;  /* F62 */
+    const int64_t q_next_x_53 = q_next_x_51 + q_next_x_52;  /* F62 */
+    const int64_t q_next_x_54 = dq_e_x * INT64_C(1073741824);  /* F62 */
+    const int64_t q_next_x_55 = q_next_x_53 + q_next_x_54;  /* F62 */
+    const int32_t q_next_x = round_32(q_next_x_55);  /* F30, |x| <= 1.13 */
 
     /* dq_e = dq + e q */
     const int64_t dq_e_y_1 = (int64_t)e * q_y;  /* F63 */
@@ -1027,7 +1005,7 @@ static void adams_moulton_4_fixed32_start_up(adams_moulton_4_fixed32_state *stat
 
     /* q_next = q + dq */
     const int64_t q_next_y_11 = q_y * INT64_C(4294967296);  /* F62 */
-    const int64_t q_next_y_12 = first_w_negated_93 * INT64_C(268435456);  /* F62 */
+    const int64_t q_next_y_12 = first_w_negated_90 * INT64_C(268435456);  /* F62 */
     const int64_t q_next_y_13 = q_next_y_11 + q_next_y_12;  /* F62 */
     const int64_t q_next_y_14 = (int64_t)44739243 /* 1/6 */ * q_next_y_8;  /* F62 */
     const int64_t q_next_y_15 = q_next_y_13 + q_next_y_14;  /* F62 */
@@ -1043,7 +1021,7 @@ static void adams_moulton_4_fixed32_start_up(adams_moulton_4_fixed32_state *stat
 
     /* q_next = q + dq */
     const int64_t q_next_z_11 = q_z * INT64_C(4294967296);  /* F62 */
-    const int64_t q_next_z_12 = first_w_negated_99 * INT64_C(268435456);  /* F62 */
+    const int64_t q_next_z_12 = first_w_negated_96 * INT64_C(268435456);  /* F62 */
     const int64_t q_next_z_13 = q_next_z_11 + q_next_z_12;  /* F62 */
     const int64_t q_next_z_14 = (int64_t)44739243 /* 1/6 */ * q_next_z_8;  /* F62 */
     const int64_t q_next_z_15 = q_next_z_13 + q_next_z_14;  /* F62 */

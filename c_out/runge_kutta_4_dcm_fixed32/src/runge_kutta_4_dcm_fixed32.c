@@ -24,7 +24,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written      107       0   54        32       0       0     0     0     0       0      0
  * update shared           93      14   54        32       0       0     0     0     0       0      0
- * update emitted          93       0   50        36       0       0     0     0     0       0     99
+ * update emitted          93       0   50        36       0       0     0     0     0       0     87
  * dcm as-written           0       0    0         0       0       0     0     0     0       0      0
  * dcm shared               0       0    0         0       0       0     0     0     0       0      0
  * dcm emitted              0       0    0         0       0       0     0     0     0       0      0
@@ -85,13 +85,6 @@ static inline int32_t round_1(int64_t x)
 static inline int32_t round_2(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(2)) >> 2);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^5, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_5(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(16)) >> 5);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -178,6 +171,12 @@ static inline int32_t round_short_2(int32_t x)
 static inline int32_t round_short_4(int32_t x)
 {
     return shift_right_32(x + 8, 4);
+}
+
+/* x / 2^5, rounded to nearest, halves up. */
+static inline int32_t round_short_5(int32_t x)
+{
+    return shift_right_32(x + 16, 5);
 }
 
 /* x / 2^8, rounded to nearest, halves up. */
@@ -377,48 +376,42 @@ void runge_kutta_4_dcm_fixed32_update(runge_kutta_4_dcm_fixed32_state *state, co
     const int32_t a1_z = round_30(a1_z_3);  /* F34, |x| <= 0.116 */
 
     /* a2 = (a + a1/2) x g1 */
-    const int64_t a2_y_1 = c_11 * INT64_C(32);  /* F35 */
-    const int64_t a2_y_2 = a2_y_1 + a1_x;  /* F35 */
-    const int32_t a2_y_3 = round_5(a2_y_2);  /* F30, |x| <= 1.21 */
-    const int64_t a2_x_1 = c_12 * INT64_C(32);  /* F35 */
-    const int64_t a2_x_2 = a2_x_1 + a1_y;  /* F35 */
-    const int32_t a2_x_3 = round_5(a2_x_2);  /* F30, |x| <= 1.21 */
-    const int64_t a2_x_4 = c_13 * INT64_C(32);  /* F35 */
-    const int64_t a2_x_5 = a2_x_4 + a1_z;  /* F35 */
-    const int32_t a2_x_6 = round_5(a2_x_5);  /* F30, |x| <= 1.21 */
-    const int64_t a2_x_7 = (int64_t)a2_x_3 * g1_z;  /* F64 */
-    const int64_t a2_x_8 = (int64_t)a2_x_6 * g1_y;  /* F64 */
-    const int64_t a2_x_9 = a2_x_7 - a2_x_8;  /* F64 */
-    const int32_t a2_x = round_30(a2_x_9);  /* F34, |x| <= 0.121 */
-    const int64_t a2_y_4 = (int64_t)a2_x_6 * g1_x;  /* F64 */
-    const int64_t a2_y_5 = (int64_t)a2_y_3 * g1_z;  /* F64 */
-    const int64_t a2_y_6 = a2_y_4 - a2_y_5;  /* F64 */
-    const int32_t a2_y = round_30(a2_y_6);  /* F34, |x| <= 0.121 */
-    const int64_t a2_z_1 = (int64_t)a2_y_3 * g1_y;  /* F64 */
-    const int64_t a2_z_2 = (int64_t)a2_x_3 * g1_x;  /* F64 */
+    const int32_t a2_y_1 = round_short_5(a1_x);  /* F30 */
+    const int32_t a2_y_2 = a2_y_1 + c_11;  /* F30, |x| <= 1.21 */
+    const int32_t a2_x_1 = round_short_5(a1_y);  /* F30 */
+    const int32_t a2_x_2 = a2_x_1 + c_12;  /* F30, |x| <= 1.21 */
+    const int32_t a2_x_3 = round_short_5(a1_z);  /* F30 */
+    const int32_t a2_x_4 = a2_x_3 + c_13;  /* F30, |x| <= 1.21 */
+    const int64_t a2_x_5 = (int64_t)a2_x_2 * g1_z;  /* F64 */
+    const int64_t a2_x_6 = (int64_t)a2_x_4 * g1_y;  /* F64 */
+    const int64_t a2_x_7 = a2_x_5 - a2_x_6;  /* F64 */
+    const int32_t a2_x = round_30(a2_x_7);  /* F34, |x| <= 0.121 */
+    const int64_t a2_y_3 = (int64_t)a2_x_4 * g1_x;  /* F64 */
+    const int64_t a2_y_4 = (int64_t)a2_y_2 * g1_z;  /* F64 */
+    const int64_t a2_y_5 = a2_y_3 - a2_y_4;  /* F64 */
+    const int32_t a2_y = round_30(a2_y_5);  /* F34, |x| <= 0.121 */
+    const int64_t a2_z_1 = (int64_t)a2_y_2 * g1_y;  /* F64 */
+    const int64_t a2_z_2 = (int64_t)a2_x_2 * g1_x;  /* F64 */
     const int64_t a2_z_3 = a2_z_1 - a2_z_2;  /* F64 */
     const int32_t a2_z = round_30(a2_z_3);  /* F34, |x| <= 0.121 */
 
     /* a3 = (a + a2/2) x g1 */
-    const int64_t a3_y_1 = c_11 * INT64_C(32);  /* F35 */
-    const int64_t a3_y_2 = a3_y_1 + a2_x;  /* F35 */
-    const int32_t a3_y_3 = round_5(a3_y_2);  /* F30, |x| <= 1.22 */
-    const int64_t a3_x_1 = c_12 * INT64_C(32);  /* F35 */
-    const int64_t a3_x_2 = a3_x_1 + a2_y;  /* F35 */
-    const int32_t a3_x_3 = round_5(a3_x_2);  /* F30, |x| <= 1.22 */
-    const int64_t a3_x_4 = c_13 * INT64_C(32);  /* F35 */
-    const int64_t a3_x_5 = a3_x_4 + a2_z;  /* F35 */
-    const int32_t a3_x_6 = round_5(a3_x_5);  /* F30, |x| <= 1.22 */
-    const int64_t a3_x_7 = (int64_t)a3_x_3 * g1_z;  /* F64 */
-    const int64_t a3_x_8 = (int64_t)a3_x_6 * g1_y;  /* F64 */
-    const int64_t a3_x_9 = a3_x_7 - a3_x_8;  /* F64 */
-    const int32_t a3_x = round_30(a3_x_9);  /* F34, |x| <= 0.122 */
-    const int64_t a3_y_4 = (int64_t)a3_x_6 * g1_x;  /* F64 */
-    const int64_t a3_y_5 = (int64_t)a3_y_3 * g1_z;  /* F64 */
-    const int64_t a3_y_6 = a3_y_4 - a3_y_5;  /* F64 */
-    const int32_t a3_y = round_30(a3_y_6);  /* F34, |x| <= 0.122 */
-    const int64_t a3_z_1 = (int64_t)a3_y_3 * g1_y;  /* F64 */
-    const int64_t a3_z_2 = (int64_t)a3_x_3 * g1_x;  /* F64 */
+    const int32_t a3_y_1 = round_short_5(a2_x);  /* F30 */
+    const int32_t a3_y_2 = a3_y_1 + c_11;  /* F30, |x| <= 1.22 */
+    const int32_t a3_x_1 = round_short_5(a2_y);  /* F30 */
+    const int32_t a3_x_2 = a3_x_1 + c_12;  /* F30, |x| <= 1.22 */
+    const int32_t a3_x_3 = round_short_5(a2_z);  /* F30 */
+    const int32_t a3_x_4 = a3_x_3 + c_13;  /* F30, |x| <= 1.22 */
+    const int64_t a3_x_5 = (int64_t)a3_x_2 * g1_z;  /* F64 */
+    const int64_t a3_x_6 = (int64_t)a3_x_4 * g1_y;  /* F64 */
+    const int64_t a3_x_7 = a3_x_5 - a3_x_6;  /* F64 */
+    const int32_t a3_x = round_30(a3_x_7);  /* F34, |x| <= 0.122 */
+    const int64_t a3_y_3 = (int64_t)a3_x_4 * g1_x;  /* F64 */
+    const int64_t a3_y_4 = (int64_t)a3_y_2 * g1_z;  /* F64 */
+    const int64_t a3_y_5 = a3_y_3 - a3_y_4;  /* F64 */
+    const int32_t a3_y = round_30(a3_y_5);  /* F34, |x| <= 0.122 */
+    const int64_t a3_z_1 = (int64_t)a3_y_2 * g1_y;  /* F64 */
+    const int64_t a3_z_2 = (int64_t)a3_x_2 * g1_x;  /* F64 */
     const int64_t a3_z_3 = a3_z_1 - a3_z_2;  /* F64 */
     const int32_t a3_z = round_30(a3_z_3);  /* F34, |x| <= 0.122 */
 
@@ -471,48 +464,42 @@ void runge_kutta_4_dcm_fixed32_update(runge_kutta_4_dcm_fixed32_state *state, co
     const int32_t b1_z = round_30(b1_z_3);  /* F34, |x| <= 0.116 */
 
     /* b2 = (b + b1/2) x g1 */
-    const int64_t b2_y_1 = c_21 * INT64_C(32);  /* F35 */
-    const int64_t b2_y_2 = b2_y_1 + b1_x;  /* F35 */
-    const int32_t b2_y_3 = round_5(b2_y_2);  /* F30, |x| <= 1.21 */
-    const int64_t b2_x_1 = c_22 * INT64_C(32);  /* F35 */
-    const int64_t b2_x_2 = b2_x_1 + b1_y;  /* F35 */
-    const int32_t b2_x_3 = round_5(b2_x_2);  /* F30, |x| <= 1.21 */
-    const int64_t b2_x_4 = c_23 * INT64_C(32);  /* F35 */
-    const int64_t b2_x_5 = b2_x_4 + b1_z;  /* F35 */
-    const int32_t b2_x_6 = round_5(b2_x_5);  /* F30, |x| <= 1.21 */
-    const int64_t b2_x_7 = (int64_t)b2_x_3 * g1_z;  /* F64 */
-    const int64_t b2_x_8 = (int64_t)b2_x_6 * g1_y;  /* F64 */
-    const int64_t b2_x_9 = b2_x_7 - b2_x_8;  /* F64 */
-    const int32_t b2_x = round_30(b2_x_9);  /* F34, |x| <= 0.121 */
-    const int64_t b2_y_4 = (int64_t)b2_x_6 * g1_x;  /* F64 */
-    const int64_t b2_y_5 = (int64_t)b2_y_3 * g1_z;  /* F64 */
-    const int64_t b2_y_6 = b2_y_4 - b2_y_5;  /* F64 */
-    const int32_t b2_y = round_30(b2_y_6);  /* F34, |x| <= 0.121 */
-    const int64_t b2_z_1 = (int64_t)b2_y_3 * g1_y;  /* F64 */
-    const int64_t b2_z_2 = (int64_t)b2_x_3 * g1_x;  /* F64 */
+    const int32_t b2_y_1 = round_short_5(b1_x);  /* F30 */
+    const int32_t b2_y_2 = b2_y_1 + c_21;  /* F30, |x| <= 1.21 */
+    const int32_t b2_x_1 = round_short_5(b1_y);  /* F30 */
+    const int32_t b2_x_2 = b2_x_1 + c_22;  /* F30, |x| <= 1.21 */
+    const int32_t b2_x_3 = round_short_5(b1_z);  /* F30 */
+    const int32_t b2_x_4 = b2_x_3 + c_23;  /* F30, |x| <= 1.21 */
+    const int64_t b2_x_5 = (int64_t)b2_x_2 * g1_z;  /* F64 */
+    const int64_t b2_x_6 = (int64_t)b2_x_4 * g1_y;  /* F64 */
+    const int64_t b2_x_7 = b2_x_5 - b2_x_6;  /* F64 */
+    const int32_t b2_x = round_30(b2_x_7);  /* F34, |x| <= 0.121 */
+    const int64_t b2_y_3 = (int64_t)b2_x_4 * g1_x;  /* F64 */
+    const int64_t b2_y_4 = (int64_t)b2_y_2 * g1_z;  /* F64 */
+    const int64_t b2_y_5 = b2_y_3 - b2_y_4;  /* F64 */
+    const int32_t b2_y = round_30(b2_y_5);  /* F34, |x| <= 0.121 */
+    const int64_t b2_z_1 = (int64_t)b2_y_2 * g1_y;  /* F64 */
+    const int64_t b2_z_2 = (int64_t)b2_x_2 * g1_x;  /* F64 */
     const int64_t b2_z_3 = b2_z_1 - b2_z_2;  /* F64 */
     const int32_t b2_z = round_30(b2_z_3);  /* F34, |x| <= 0.121 */
 
     /* b3 = (b + b2/2) x g1 */
-    const int64_t b3_y_1 = c_21 * INT64_C(32);  /* F35 */
-    const int64_t b3_y_2 = b3_y_1 + b2_x;  /* F35 */
-    const int32_t b3_y_3 = round_5(b3_y_2);  /* F30, |x| <= 1.22 */
-    const int64_t b3_x_1 = c_22 * INT64_C(32);  /* F35 */
-    const int64_t b3_x_2 = b3_x_1 + b2_y;  /* F35 */
-    const int32_t b3_x_3 = round_5(b3_x_2);  /* F30, |x| <= 1.22 */
-    const int64_t b3_x_4 = c_23 * INT64_C(32);  /* F35 */
-    const int64_t b3_x_5 = b3_x_4 + b2_z;  /* F35 */
-    const int32_t b3_x_6 = round_5(b3_x_5);  /* F30, |x| <= 1.22 */
-    const int64_t b3_x_7 = (int64_t)b3_x_3 * g1_z;  /* F64 */
-    const int64_t b3_x_8 = (int64_t)b3_x_6 * g1_y;  /* F64 */
-    const int64_t b3_x_9 = b3_x_7 - b3_x_8;  /* F64 */
-    const int32_t b3_x = round_30(b3_x_9);  /* F34, |x| <= 0.122 */
-    const int64_t b3_y_4 = (int64_t)b3_x_6 * g1_x;  /* F64 */
-    const int64_t b3_y_5 = (int64_t)b3_y_3 * g1_z;  /* F64 */
-    const int64_t b3_y_6 = b3_y_4 - b3_y_5;  /* F64 */
-    const int32_t b3_y = round_30(b3_y_6);  /* F34, |x| <= 0.122 */
-    const int64_t b3_z_1 = (int64_t)b3_y_3 * g1_y;  /* F64 */
-    const int64_t b3_z_2 = (int64_t)b3_x_3 * g1_x;  /* F64 */
+    const int32_t b3_y_1 = round_short_5(b2_x);  /* F30 */
+    const int32_t b3_y_2 = b3_y_1 + c_21;  /* F30, |x| <= 1.22 */
+    const int32_t b3_x_1 = round_short_5(b2_y);  /* F30 */
+    const int32_t b3_x_2 = b3_x_1 + c_22;  /* F30, |x| <= 1.22 */
+    const int32_t b3_x_3 = round_short_5(b2_z);  /* F30 */
+    const int32_t b3_x_4 = b3_x_3 + c_23;  /* F30, |x| <= 1.22 */
+    const int64_t b3_x_5 = (int64_t)b3_x_2 * g1_z;  /* F64 */
+    const int64_t b3_x_6 = (int64_t)b3_x_4 * g1_y;  /* F64 */
+    const int64_t b3_x_7 = b3_x_5 - b3_x_6;  /* F64 */
+    const int32_t b3_x = round_30(b3_x_7);  /* F34, |x| <= 0.122 */
+    const int64_t b3_y_3 = (int64_t)b3_x_4 * g1_x;  /* F64 */
+    const int64_t b3_y_4 = (int64_t)b3_y_2 * g1_z;  /* F64 */
+    const int64_t b3_y_5 = b3_y_3 - b3_y_4;  /* F64 */
+    const int32_t b3_y = round_30(b3_y_5);  /* F34, |x| <= 0.122 */
+    const int64_t b3_z_1 = (int64_t)b3_y_2 * g1_y;  /* F64 */
+    const int64_t b3_z_2 = (int64_t)b3_x_2 * g1_x;  /* F64 */
     const int64_t b3_z_3 = b3_z_1 - b3_z_2;  /* F64 */
     const int32_t b3_z = round_30(b3_z_3);  /* F34, |x| <= 0.122 */
 

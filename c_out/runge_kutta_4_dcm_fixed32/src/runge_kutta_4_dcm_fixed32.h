@@ -24,7 +24,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written      107       0   54        32       0       0     0     0     0       0      0
  * update shared           93      14   54        32       0       0     0     0     0       0      0
- * update emitted          93       0   50        36       0       0     0     0     0       0     99
+ * update emitted          93       0   50        36       0       0     0     0     0       0     87
  * dcm as-written           0       0    0         0       0       0     0     0     0       0      0
  * dcm shared               0       0    0         0       0       0     0     0     0       0      0
  * dcm emitted              0       0    0         0       0       0     0     0     0       0      0

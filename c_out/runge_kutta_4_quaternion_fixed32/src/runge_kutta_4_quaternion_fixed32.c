@@ -23,7 +23,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       82       0   55        13       4       0     0     0     0       0      0
  * update shared           73       9   51        17       0       0     0     0     0       0      0
- * update emitted          73       0   48        20       1       0     0     0     0       0     68
+ * update emitted          73       0   50        18       3       0     0     0     0       0     60
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -53,13 +53,6 @@ static inline int64_t shift_right_64(int64_t x, int bits)
 static inline int32_t round_1(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1)) >> 1);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^6, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_6(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(32)) >> 6);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -115,6 +108,12 @@ static inline int32_t round_36(int64_t x)
 static inline int32_t round_short_5(int32_t x)
 {
     return shift_right_32(x + 16, 5);
+}
+
+/* x / 2^6, rounded to nearest, halves up. */
+static inline int32_t round_short_6(int32_t x)
+{
+    return shift_right_32(x + 32, 6);
 }
 
 /* x / 2^10, rounded to nearest, halves up. */
@@ -261,78 +260,72 @@ void runge_kutta_4_quaternion_fixed32_update(
     const int32_t k1_z = round_30(k1_z_5);  /* F35, |x| <= 0.0532 */
 
     /* k2 = (q + k1/2) (x) g1 */
-    const int64_t k2_x_1 = q_w * INT64_C(64);  /* F36 */
-    const int64_t k2_x_2 = k2_x_1 - k1_w_negated;  /* F36 */
-    const int32_t k2_x_3 = round_6(k2_x_2);  /* F30, |x| <= 1.09 */
-    const int64_t k2_w_negated_1 = q_x * INT64_C(64);  /* F36 */
-    const int64_t k2_w_negated_2 = k2_w_negated_1 + k1_x;  /* F36 */
-    const int32_t k2_w_negated_3 = round_6(k2_w_negated_2);  /* F30, |x| <= 1.09 */
-    const int64_t k2_w_negated_4 = q_y * INT64_C(64);  /* F36 */
-    const int64_t k2_w_negated_5 = k2_w_negated_4 + k1_y;  /* F36 */
-    const int32_t k2_w_negated_6 = round_6(k2_w_negated_5);  /* F30, |x| <= 1.09 */
-    const int64_t k2_w_negated_7 = q_z * INT64_C(64);  /* F36 */
-    const int64_t k2_w_negated_8 = k2_w_negated_7 + k1_z;  /* F36 */
-    const int32_t k2_w_negated_9 = round_6(k2_w_negated_8);  /* F30, |x| <= 1.09 */
-    const int64_t k2_w_negated_10 = (int64_t)k2_w_negated_3 * g1_x;  /* F65 */
-    const int64_t k2_w_negated_11 = (int64_t)k2_w_negated_6 * g1_y;  /* F65 */
-    const int64_t k2_w_negated_12 = k2_w_negated_10 + k2_w_negated_11;  /* F65 */
-    const int64_t k2_w_negated_13 = (int64_t)k2_w_negated_9 * g1_z;  /* F65 */
-    const int64_t k2_w_negated_14 = k2_w_negated_12 + k2_w_negated_13;  /* F65 */
-    const int32_t k2_w_negated = round_30(k2_w_negated_14);  /* F35, |x| <= 0.0545 */
+    const int32_t k2_x_1 = -k1_w_negated;  /* F36 */
+    const int32_t k2_x_2 = round_short_6(k2_x_1);  /* F30 */
+    const int32_t k2_x_3 = k2_x_2 + q_w;  /* F30, |x| <= 1.09 */
+    const int32_t k2_w_negated_1 = round_short_6(k1_x);  /* F30 */
+    const int32_t k2_w_negated_2 = k2_w_negated_1 + q_x;  /* F30, |x| <= 1.09 */
+    const int32_t k2_w_negated_3 = round_short_6(k1_y);  /* F30 */
+    const int32_t k2_w_negated_4 = k2_w_negated_3 + q_y;  /* F30, |x| <= 1.09 */
+    const int32_t k2_w_negated_5 = round_short_6(k1_z);  /* F30 */
+    const int32_t k2_w_negated_6 = k2_w_negated_5 + q_z;  /* F30, |x| <= 1.09 */
+    const int64_t k2_w_negated_7 = (int64_t)k2_w_negated_2 * g1_x;  /* F65 */
+    const int64_t k2_w_negated_8 = (int64_t)k2_w_negated_4 * g1_y;  /* F65 */
+    const int64_t k2_w_negated_9 = k2_w_negated_7 + k2_w_negated_8;  /* F65 */
+    const int64_t k2_w_negated_10 = (int64_t)k2_w_negated_6 * g1_z;  /* F65 */
+    const int64_t k2_w_negated_11 = k2_w_negated_9 + k2_w_negated_10;  /* F65 */
+    const int32_t k2_w_negated = round_30(k2_w_negated_11);  /* F35, |x| <= 0.0545 */
     const int64_t k2_x_4 = (int64_t)k2_x_3 * g1_x;  /* F65 */
-    const int64_t k2_x_5 = (int64_t)k2_w_negated_6 * g1_z;  /* F65 */
+    const int64_t k2_x_5 = (int64_t)k2_w_negated_4 * g1_z;  /* F65 */
     const int64_t k2_x_6 = k2_x_4 + k2_x_5;  /* F65 */
-    const int64_t k2_x_7 = (int64_t)k2_w_negated_9 * g1_y;  /* F65 */
+    const int64_t k2_x_7 = (int64_t)k2_w_negated_6 * g1_y;  /* F65 */
     const int64_t k2_x_8 = k2_x_6 - k2_x_7;  /* F65 */
     const int32_t k2_x = round_30(k2_x_8);  /* F35, |x| <= 0.0545 */
     const int64_t k2_y_1 = (int64_t)k2_x_3 * g1_y;  /* F65 */
-    const int64_t k2_y_2 = (int64_t)k2_w_negated_9 * g1_x;  /* F65 */
+    const int64_t k2_y_2 = (int64_t)k2_w_negated_6 * g1_x;  /* F65 */
     const int64_t k2_y_3 = k2_y_1 + k2_y_2;  /* F65 */
-    const int64_t k2_y_4 = (int64_t)k2_w_negated_3 * g1_z;  /* F65 */
+    const int64_t k2_y_4 = (int64_t)k2_w_negated_2 * g1_z;  /* F65 */
     const int64_t k2_y_5 = k2_y_3 - k2_y_4;  /* F65 */
     const int32_t k2_y = round_30(k2_y_5);  /* F35, |x| <= 0.0545 */
     const int64_t k2_z_1 = (int64_t)k2_x_3 * g1_z;  /* F65 */
-    const int64_t k2_z_2 = (int64_t)k2_w_negated_3 * g1_y;  /* F65 */
+    const int64_t k2_z_2 = (int64_t)k2_w_negated_2 * g1_y;  /* F65 */
     const int64_t k2_z_3 = k2_z_1 + k2_z_2;  /* F65 */
-    const int64_t k2_z_4 = (int64_t)k2_w_negated_6 * g1_x;  /* F65 */
+    const int64_t k2_z_4 = (int64_t)k2_w_negated_4 * g1_x;  /* F65 */
     const int64_t k2_z_5 = k2_z_3 - k2_z_4;  /* F65 */
     const int32_t k2_z = round_30(k2_z_5);  /* F35, |x| <= 0.0545 */
 
     /* k3 = (q + k2/2) (x) g1 */
-    const int64_t k3_x_1 = q_w * INT64_C(64);  /* F36 */
-    const int64_t k3_x_2 = k3_x_1 - k2_w_negated;  /* F36 */
-    const int32_t k3_x_3 = round_6(k3_x_2);  /* F30, |x| <= 1.09 */
-    const int64_t k3_w_negated_1 = q_x * INT64_C(64);  /* F36 */
-    const int64_t k3_w_negated_2 = k3_w_negated_1 + k2_x;  /* F36 */
-    const int32_t k3_w_negated_3 = round_6(k3_w_negated_2);  /* F30, |x| <= 1.09 */
-    const int64_t k3_w_negated_4 = q_y * INT64_C(64);  /* F36 */
-    const int64_t k3_w_negated_5 = k3_w_negated_4 + k2_y;  /* F36 */
-    const int32_t k3_w_negated_6 = round_6(k3_w_negated_5);  /* F30, |x| <= 1.09 */
-    const int64_t k3_w_negated_7 = q_z * INT64_C(64);  /* F36 */
-    const int64_t k3_w_negated_8 = k3_w_negated_7 + k2_z;  /* F36 */
-    const int32_t k3_w_negated_9 = round_6(k3_w_negated_8);  /* F30, |x| <= 1.09 */
-    const int64_t k3_w_negated_10 = (int64_t)k3_w_negated_3 * g1_x;  /* F65 */
-    const int64_t k3_w_negated_11 = (int64_t)k3_w_negated_6 * g1_y;  /* F65 */
-    const int64_t k3_w_negated_12 = k3_w_negated_10 + k3_w_negated_11;  /* F65 */
-    const int64_t k3_w_negated_13 = (int64_t)k3_w_negated_9 * g1_z;  /* F65 */
-    const int64_t k3_w_negated_14 = k3_w_negated_12 + k3_w_negated_13;  /* F65 */
-    const int32_t k3_w_negated = round_30(k3_w_negated_14);  /* F35, |x| <= 0.0545 */
+    const int32_t k3_x_1 = -k2_w_negated;  /* F36 */
+    const int32_t k3_x_2 = round_short_6(k3_x_1);  /* F30 */
+    const int32_t k3_x_3 = k3_x_2 + q_w;  /* F30, |x| <= 1.09 */
+    const int32_t k3_w_negated_1 = round_short_6(k2_x);  /* F30 */
+    const int32_t k3_w_negated_2 = k3_w_negated_1 + q_x;  /* F30, |x| <= 1.09 */
+    const int32_t k3_w_negated_3 = round_short_6(k2_y);  /* F30 */
+    const int32_t k3_w_negated_4 = k3_w_negated_3 + q_y;  /* F30, |x| <= 1.09 */
+    const int32_t k3_w_negated_5 = round_short_6(k2_z);  /* F30 */
+    const int32_t k3_w_negated_6 = k3_w_negated_5 + q_z;  /* F30, |x| <= 1.09 */
+    const int64_t k3_w_negated_7 = (int64_t)k3_w_negated_2 * g1_x;  /* F65 */
+    const int64_t k3_w_negated_8 = (int64_t)k3_w_negated_4 * g1_y;  /* F65 */
+    const int64_t k3_w_negated_9 = k3_w_negated_7 + k3_w_negated_8;  /* F65 */
+    const int64_t k3_w_negated_10 = (int64_t)k3_w_negated_6 * g1_z;  /* F65 */
+    const int64_t k3_w_negated_11 = k3_w_negated_9 + k3_w_negated_10;  /* F65 */
+    const int32_t k3_w_negated = round_30(k3_w_negated_11);  /* F35, |x| <= 0.0545 */
     const int64_t k3_x_4 = (int64_t)k3_x_3 * g1_x;  /* F65 */
-    const int64_t k3_x_5 = (int64_t)k3_w_negated_6 * g1_z;  /* F65 */
+    const int64_t k3_x_5 = (int64_t)k3_w_negated_4 * g1_z;  /* F65 */
     const int64_t k3_x_6 = k3_x_4 + k3_x_5;  /* F65 */
-    const int64_t k3_x_7 = (int64_t)k3_w_negated_9 * g1_y;  /* F65 */
+    const int64_t k3_x_7 = (int64_t)k3_w_negated_6 * g1_y;  /* F65 */
     const int64_t k3_x_8 = k3_x_6 - k3_x_7;  /* F65 */
     const int32_t k3_x = round_30(k3_x_8);  /* F35, |x| <= 0.0545 */
     const int64_t k3_y_1 = (int64_t)k3_x_3 * g1_y;  /* F65 */
-    const int64_t k3_y_2 = (int64_t)k3_w_negated_9 * g1_x;  /* F65 */
+    const int64_t k3_y_2 = (int64_t)k3_w_negated_6 * g1_x;  /* F65 */
     const int64_t k3_y_3 = k3_y_1 + k3_y_2;  /* F65 */
-    const int64_t k3_y_4 = (int64_t)k3_w_negated_3 * g1_z;  /* F65 */
+    const int64_t k3_y_4 = (int64_t)k3_w_negated_2 * g1_z;  /* F65 */
     const int64_t k3_y_5 = k3_y_3 - k3_y_4;  /* F65 */
     const int32_t k3_y = round_30(k3_y_5);  /* F35, |x| <= 0.0545 */
     const int64_t k3_z_1 = (int64_t)k3_x_3 * g1_z;  /* F65 */
-    const int64_t k3_z_2 = (int64_t)k3_w_negated_3 * g1_y;  /* F65 */
+    const int64_t k3_z_2 = (int64_t)k3_w_negated_2 * g1_y;  /* F65 */
     const int64_t k3_z_3 = k3_z_1 + k3_z_2;  /* F65 */
-    const int64_t k3_z_4 = (int64_t)k3_w_negated_6 * g1_x;  /* F65 */
+    const int64_t k3_z_4 = (int64_t)k3_w_negated_4 * g1_x;  /* F65 */
     const int64_t k3_z_5 = k3_z_3 - k3_z_4;  /* F65 */
     const int32_t k3_z = round_30(k3_z_5);  /* F35, |x| <= 0.0545 */
 

@@ -23,7 +23,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       82       0   55        13       4       0     0     0     0       0      0
  * update shared           73       9   51        17       0       0     0     0     0       0      0
- * update emitted          73       0   48        20       1       0     0     0     0       0     68
+ * update emitted          73       0   50        18       3       0     0     0     0       0     60
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

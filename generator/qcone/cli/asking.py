@@ -9,6 +9,7 @@ from pathlib import Path
 import click
 
 from qcone.cli.group import design_options, main, print_rows, report, say
+from qcone.errors import UsageError
 from qcone.reports.progress import shown
 
 STUDIES = "error-model: thesis2008's propagation; number-formats: what words and roundings cost."
@@ -66,6 +67,10 @@ def accuracy(study: str, quantum_arcsec: float | None, seed: int, frequency_hz: 
     """Study accuracy: of a unit with errors, by the model of thesis2008; of the number formats, on three motions."""
     from qcone.studies import error_model, word_lengths
 
+    if quantum_arcsec is not None and study != "number-formats":
+        raise UsageError("--quantum-arcsec belongs to --study number-formats: leave it out, or ask for that study")
+    if quantum_arcsec is not None and not 0 < quantum_arcsec < 1000:
+        raise UsageError(f"--quantum-arcsec {quantum_arcsec:g} is no quantum: give one above 0 and below 1000")
     if study == "number-formats":
         found = word_lengths.rows(quantum_arcsec=quantum_arcsec, seed=seed)
         print_rows("accuracy", [asdict(each) for each in found], layout)

@@ -40,6 +40,8 @@ class Number:
     overflow: str
     rounding: str
     clamp_inputs: bool
+    pins: tuple[tuple[str, int], ...] = ()
+    """Fraction bits that values of an update shall have, by name."""
 
 
 @dataclass(frozen=True)
@@ -90,21 +92,21 @@ class Design:
     def digest(self) -> str:
         """Return the SHA-256, in hex, of everything here that decides the output.
 
-        File, folder and budgets do not, nor does a stage that is not asked for. A user's own algorithm enters by its
-        name only, not by its text.
+        File, folder and budgets do not, nor does what is not asked for, a stage or pins. A user's own algorithm
+        enters by its name only, not by its text.
         """
         text = json.dumps(_plain(self), sort_keys=True, separators=(",", ":"), ensure_ascii=True)
         return hashlib.sha256(text.encode("ascii")).hexdigest()
 
 
 _UNDIGESTED = frozenset({"file", "directory", "line", "budget", "target_budgets"})
-_STAGES = frozenset({"rins"})
+_ON_REQUEST = frozenset({"rins", "pins"})
 
 
 def _plain(value: object) -> object:
     if isinstance(value, Design | Imu | Number | Rins):
         names = [each.name for each in fields(value) if each.name not in _UNDIGESTED]
-        names = [name for name in names if name not in _STAGES or getattr(value, name) is not None]
+        names = [name for name in names if name not in _ON_REQUEST or getattr(value, name)]
         return {name: _plain(getattr(value, name)) for name in names}
     if isinstance(value, Mapping):
         return {str(key): _plain(each) for key, each in value.items()}

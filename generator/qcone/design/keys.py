@@ -19,6 +19,7 @@ Kind = Literal[
     "matrix",  # three rows of them
     "count",  # a non-negative integer
     "flag",  # true or false
+    "pins",  # a list of strings "NAME = BITS"
     "axes",  # a signed permutation such as "y,-x,z"
     "license",  # one SPDX identifier
     "text",
@@ -106,6 +107,7 @@ NUMBER_KEYS = (
     _words("overflow", "what happens outside the declared range", "prove", "saturate", "wrap"),
     _words("rounding", "of ties and remainders", "up", "even", "floor"),
     Key("clamp_inputs", "flag", "limit inputs to the declared range", "false", default=False),
+    Key("pins", "pins", "fraction bits of values of an update, by name", '["phi_x = 29"]', default=()),
 )
 
 RINS_KEYS = (
@@ -133,6 +135,8 @@ TARGET_BUDGET_KEYS = _counts("most on this target", "text_bytes", "instructions_
 
 NAME_PATTERN = "^[a-z][a-z0-9_]{0,63}$"
 USER_ALGORITHM_PATTERN = r"^[^:\n]*[^:/\n]\.py:[A-Za-z_][A-Za-z0-9_]*$"
+PIN_PATTERN = "^ *[a-z][a-z0-9_]* *= *[0-9]+ *$"
+MOST_FRACTION_BITS = 62
 LICENSE_PATTERN = "^[A-Za-z0-9][A-Za-z0-9.+-]*$"
 
 _C_KEYWORDS = """

@@ -85,6 +85,7 @@ def _kind(key: Key) -> str:
     """Return what a key takes, in words."""
     kinds = {
         "choices": "a list of strings",
+        "pins": "a list of strings",
         "decimal": "a number",
         "rational": 'a number or a string "p/q"',
         "vector": "a list of three numbers",

@@ -40,7 +40,7 @@ def _fixed_only(number: dict[str, Any], places: Places) -> Iterator[Finding]:
     format_ = number.get("format")
     if format_ is None or format_ in FIXED_FORMATS:
         return
-    for name in ("overflow", "rounding", "clamp_inputs"):
+    for name in ("overflow", "rounding", "clamp_inputs", "pins"):
         if name in number:
             path = ("number", name)
             what = f"{places.word(path)} does not go with {places.given(('number', 'format'), format_)}"

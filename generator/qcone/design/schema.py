@@ -14,6 +14,7 @@ from qcone.design.catalogue import AlgorithmEntry
 from qcone.design.keys import (
     LICENSE_PATTERN,
     NAME_PATTERN,
+    PIN_PATTERN,
     USER_ALGORITHM_PATTERN,
     Key,
     parameter_key,
@@ -81,6 +82,7 @@ def _property(key: Key, algorithms: Sequence[str]) -> dict[str, Any]:
         "matrix": {"type": "array", "items": _VECTOR, "minItems": 3, "maxItems": 3},
         "count": {"type": "integer", "minimum": 0},
         "flag": {"type": "boolean"},
+        "pins": {"type": "array", "items": {"type": "string", "pattern": PIN_PATTERN}, "minItems": 1},
         "axes": {"type": "string", "pattern": f"^{_AXIS},{_AXIS},{_AXIS}$"},
         "license": {"type": "string", "pattern": LICENSE_PATTERN},
         "text": {"anyOf": [{"enum": list(algorithms)}, {"type": "string", "pattern": USER_ALGORITHM_PATTERN}]},

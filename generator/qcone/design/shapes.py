@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from qcone.design.keys import LICENSE_PATTERN, Key, Kind, tables
+from qcone.design.keys import LICENSE_PATTERN, MOST_FRACTION_BITS, PIN_PATTERN, Key, Kind, tables
 from qcone.design.mistakes import missing_key, unknown_key, wrong_choice, wrong_type
 from qcone.design.numbers import exact, signed_permutation
 from qcone.design.places import Finding, KeyPath, Places, shown
@@ -141,6 +141,7 @@ def _type(key: Key) -> Any:
         "matrix": Annotated[Any, PlainValidator(_three(_three(_rational)))],
         "count": Annotated[int, Field(ge=0)],
         "flag": bool,
+        "pins": Annotated[list[str], Field(min_length=1), AfterValidator(_pins)],
         "axes": Annotated[str, AfterValidator(_axes)],
         "license": Annotated[str, AfterValidator(_license)],
         "text": str,
@@ -198,6 +199,21 @@ def _different(values: list[str]) -> tuple[str, ...]:
         what = f"names {' and '.join(map(shown, twice))} more than once"
         raise _refused("QC112", what, "", "name each once")
     return tuple(values)
+
+
+def _pins(values: list[str]) -> tuple[tuple[str, int], ...]:
+    found: dict[str, int] = {}
+    for value in values:
+        if not re.fullmatch(PIN_PATTERN, value):
+            raise _refused("QC105", "is not allowed", f"{shown(value)} is no pin", 'write for example ["phi_x = 29"]')
+        name, _, bits = (part.strip() for part in value.partition("="))
+        if int(bits) > MOST_FRACTION_BITS:
+            why = f"{shown(name)} may have {MOST_FRACTION_BITS} fraction bits at most"
+            raise _refused("QC106", "is out of range", why, "pin fewer")
+        if name in found:
+            raise _refused("QC112", f"pins {shown(name)} more than once", "", "pin each value once")
+        found[name] = int(bits)
+    return tuple(sorted(found.items()))
 
 
 def _axes(value: str) -> object:

@@ -17,6 +17,10 @@ class UnfitError(UsageError):
     """A routine whose values do not fit the format: names the value and the bits that are missing."""
 
 
+class PinError(UnfitError):
+    """A pin that cannot be kept: names the value and what stands against it."""
+
+
 class Choices:
     """What is decided of one routine: its statements as they now stand, and fewer bits where they were called for.
 

@@ -30,6 +30,8 @@ class Declaration:
     """Whether every update brings the attitude's length back."""
     series: Fraction | None = None
     """How far one update's rotation, as a series, is from a unit quaternion; None where it is not known."""
+    pins: tuple[tuple[str, int], ...] = ()
+    """Fraction bits that values of an update shall have, by name."""
 
 
 def with_last_bits(declaration: Declaration, number: Fixed) -> Declaration:

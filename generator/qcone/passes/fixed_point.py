@@ -18,7 +18,7 @@ from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Block, Choose, Operation, Place, Program, Role, Routine, Statement, Write, unused
 from qcone.passes.block_ranges import GIVEN, RESIDUAL, WHOLE_BITS, BlockRanges, length
-from qcone.passes.choices import Formats
+from qcone.passes.choices import Formats, PinError
 from qcone.passes.declared import Declaration, scaled, with_last_bits
 from qcone.passes.errors import errors
 from qcone.passes.expand import expand
@@ -78,6 +78,7 @@ class _FixedPoint:
         self.cost: dict[str, HighWord] = {}
 
     def run(self) -> FixedProgram:
+        self._check_pins()
         failed: UsageError | None = None
         for spare, spread, nearest in self.ranges.spreads():
             self.ranges.spare, self.ranges.nearest = spare, nearest
@@ -102,6 +103,19 @@ class _FixedPoint:
             f"the length of '{self.held.name}' is not proved to stay near 1: one update may change it too much"
             + self._what_would_do()
         )
+
+    def _check_pins(self) -> None:
+        """Raise PinError for a pin of a value that no update has."""
+        updates = [routine for routine in self.fused if routine.name in UPDATING]
+        known = {
+            routine.names.get(each.result, "")
+            for routine in updates
+            for each in routine.body
+            if isinstance(each, Operation)
+        }
+        for name, bits in self.declaration.pins:
+            if name not in known:
+                raise PinError(f"no value of an update is called '{name}', pinned to {bits} bits")
 
     def _what_would_do(self) -> str:
         """Say which part of the declared range could be proved; nothing where none is found."""
@@ -132,8 +146,14 @@ class _FixedPoint:
     def _assigned(
         self, routine: Routine, signals: Mapping[str, Signal], declared: Mapping[str, Declared]
     ) -> tuple[Assigner, Formats]:
-        assigner = Assigner(routine, self.number, signals, declared, self.declaration.samples, self.declaration.turn)
+        samples, turn = self.declaration.samples, self.declaration.turn
+        assigner = Assigner(routine, self.number, signals, declared, samples, turn, pins=self._pins(routine))
         return assigner, assigner.run()
+
+    def _pins(self, routine: Routine) -> dict[int, int]:
+        """Return the pinned fraction bits of a routine's values."""
+        pins = dict(self.declaration.pins) if routine.name in UPDATING else {}
+        return {value: pins[name] for value, name in routine.names.items() if name in pins}
 
     def _in_whole_words(self, assigner: Assigner, found: Formats, spread: Fraction) -> tuple[Assigner, Formats]:
         """Return an update whose sums drop whole words where they may; any other routine as it is."""
@@ -160,7 +180,7 @@ class _FixedPoint:
             most = (signals[name].most + 1) * signals[name].lsb
             bare[name] = Declared((-most, most))
         safe = guarded(replace(routine, groups=()), given, limits)
-        again = Assigner(safe, self.number, signals, bare, None, None, limits)
+        again = Assigner(safe, self.number, signals, bare, None, None, limits, self._pins(safe))
         return again, again.run()
 
     def _stays(self, assigner: Assigner, found: Formats, spread: Fraction) -> bool:

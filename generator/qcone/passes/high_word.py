@@ -50,6 +50,8 @@ def high_word(assigner: Assigner, found: Formats, carried: bool) -> tuple[Format
             break
         caps = dict(assigner.choices.caps)
         for value, bits in changes.items():
+            if value in assigner.pins:
+                continue
             assigner.choices.caps[value] = min(bits, assigner.choices.caps.get(value, bits))
         try:
             tried = assigner.run()

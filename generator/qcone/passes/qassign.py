@@ -14,7 +14,7 @@ from qcone.formats.fixed import Fixed, Signal
 from qcone.ir.detail import Limits, Sum, Term
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, Place, Routine, Statement, Write
-from qcone.passes.choices import Choices, Formats, UnfitError, nearest
+from qcone.passes.choices import Choices, Formats, PinError, UnfitError, nearest
 from qcone.passes.fit import fit
 from qcone.passes.fuse import is_power_of_two
 from qcone.passes.magnitudes import Declared, Magnitudes
@@ -24,7 +24,7 @@ ROUNDS = 200
 
 
 class Assigner:
-    """Finds the formats of one routine; `blocks` are those of its blocks, `pinned` fraction bits a user asks for."""
+    """Finds the formats of one routine; `blocks` are those of its blocks, `pins` fraction bits a user asks for."""
 
     def __init__(
         self,
@@ -35,14 +35,14 @@ class Assigner:
         samples: Samples | None = None,
         turn: Fraction | None = None,
         limits: Mapping[int, Fraction] | None = None,
-        caps: Mapping[int, int] | None = None,
+        pins: Mapping[int, int] | None = None,
     ) -> None:
         """Prepare the routine: what is written becomes a value in the block's format."""
         self.number, self.blocks, self.declared = number, blocks, declared
         self.samples, self.turn, self.limits = samples, turn, dict(limits or {})
         self.grouped = {value for group in routine.groups for value in group.values}
         self.choices = Choices(routine, number)
-        self.choices.caps.update(caps or {})
+        self.pins = dict(pins or {})
         self.choices.routine = self._with_written(routine)
 
     @property
@@ -139,7 +139,7 @@ class Assigner:
         bound = found.magnitudes.of(result)
         match operation.op:
             case RealOp.READ if operation.place is not None:
-                return self.blocks[operation.place.block]
+                return self._kept(result, self.blocks[operation.place.block])
             case RealOp.CONSTANT:
                 return self._forced(result, bound) or self._capped(result, number.signal(bound))
             case RealOp.SUM | RealOp.WIDE:
@@ -170,10 +170,26 @@ class Assigner:
         signal = self.choices.forced.get(value)
         if signal is not None and bound * 2**signal.fraction >= 2 ** (signal.width - 1):
             raise self._unfit(value, bound, signal)
+        return None if signal is None else self._kept(value, signal)
+
+    def _kept(self, value: int, signal: Signal) -> Signal:
+        """Return the format of a block. Raises PinError where a pin asks for another."""
+        if self.pins.get(value, signal.fraction) != signal.fraction:
+            raise self._unpinned(value, f"its block is kept as {signal.name}")
         return signal
 
+    def _unpinned(self, value: int, why: str) -> PinError:
+        name = self.routine.names.get(value, f"value {value}")
+        return PinError(f"'{name}' in '{self.routine.name}' cannot have the pinned {self.pins[value]} bits: {why}")
+
     def _capped(self, value: int, signal: Signal) -> Signal:
-        cap = self.choices.caps.get(value)
+        cap, pin = self.choices.caps.get(value), self.pins.get(value)
+        if pin is not None:
+            if pin > signal.fraction:
+                raise self._unpinned(value, f"{pin - signal.fraction} more than a word of its range holds")
+            if cap is not None and cap < pin:
+                raise self._unpinned(value, f"sums of it fit their accumulator with {cap} at most")
+            return replace(signal, fraction=pin)
         return signal if cap is None or cap >= signal.fraction else replace(signal, fraction=cap)
 
     def _sum(self, operation: Operation, found: Formats, bound: Fraction) -> Signal:
@@ -188,6 +204,8 @@ class Assigner:
             return forced
         signal = self._capped(result, self.number.signal(bound, width))
         finest, _ = found.accumulated(operation)
+        if result in self.pins and finest > -(10**6) and finest < signal.fraction:
+            raise self._unpinned(result, f"what it is made of has {finest}")
         if finest > -(10**6):
             signal = replace(signal, fraction=min(signal.fraction, finest))
         return signal
