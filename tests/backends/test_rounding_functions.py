@@ -125,7 +125,13 @@ def test_the_model_rounds_as_exact_integers_do(name: str) -> None:
 @EACH_NUMBER
 @EACH_COMPILER
 @pytest.mark.parametrize("level", ["-O0", "-O2"])
-def test_the_c_rounds_as_exact_integers_do(compiler: Compiler, level: str, name: str) -> None:
+@pytest.mark.parametrize("shifts", ["arithmetically", "otherwise"])
+def test_the_c_rounds_as_exact_integers_do(compiler: Compiler, level: str, name: str, shifts: str) -> None:
+    """On a machine that shifts a negative word arithmetically, and by what is written for every other."""
+    text = texts(name)
+    if shifts == "otherwise":
+        text = text.replace("-1) >> 1) == -1) ?", "-1) >> 1) == 0) ?")
+        assert text != texts(name)
     head = "void run_{}(int32_t rows, const int64_t *x, int64_t *out)"
     loops = "".join(
         f"{head.format(called(case, name))};\n{head.format(called(case, name))}\n{{\n    int32_t k;\n"
@@ -133,7 +139,7 @@ def test_the_c_rounds_as_exact_integers_do(compiler: Compiler, level: str, name:
         for case in cases(name)
     )
     declared = "".join(f"{head.format(called(case, name))};" for case in cases(name))
-    library = Library(build_shared(compiler, {"roundings.c": texts(name) + loops}, level), declared)
+    library = Library(build_shared(compiler, {"roundings.c": text + loops}, level), declared)
     for case in cases(name):
         given = words(*case)
         out = np.zeros(len(given), np.int64)
