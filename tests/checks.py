@@ -21,6 +21,7 @@ from qcone.algorithms import coefficients, increments, rotation_vector
 from qcone.assembly import assemble, writing_of
 from qcone.backends.bittrue import Model, new_state
 from qcone.bundle import Bundle
+from qcone.errors import CheckError
 from qcone.ir.evaluate import Numbers, evaluate
 from qcone.ir.statement import Role
 from qcone.ir.writing import AS_WRITTEN
@@ -28,10 +29,12 @@ from qcone.pipeline import build
 from qcone.reference import attitude, motions, quaternion
 from qcone.registry import algorithm_of
 from qcone.targets.compiler import Compiler
-from qcone.vectors import SET, Vectors
-from qcone.verify import c_words, open_library
+from qcone.vectors import SET, Vectors, draw, in_words
+from qcone.verify import c_words, model_words, open_library
+from qcone.words import from_words
 from shipped import design_of
 from symmetry import Run, holding, one, pairwise, samples
+from watching import watch
 
 CONING_3 = "rotation-vector subsamples=3 coefficients=coning"
 CONING_4 = "rotation-vector subsamples=4 coefficients=coning"
@@ -136,6 +139,50 @@ def accurate(compiler: Compiler) -> bool:
     return bool(1.3e-11 / 1.2 < worst < 1.3e-11 * 1.2)
 
 
+ARCSEC = np.pi / 180 / 3600
+FIXED_ERRORS = {"delta": 0.05, "compensated": 1e-3}
+"""What a minute of coning may be off by in 32-bit fixed point, arcsec; the algorithm's own error is 1.4e-4."""
+
+
+def accurate_in_fixed_point(compiler: Compiler, accumulate: str) -> bool:
+    """A minute of coning, from several attitudes, in the words of a design and in its C (test_word_lengths)."""
+    bundle, motion = build(design_of(CONING_3, number="fixed32", accumulate=accumulate)), motions.coning()
+    lanes, rows = 8, 6000
+    times = np.arange(3 * rows + 1) / 300
+    turned = quaternion.normalise(np.random.default_rng(2).standard_normal((lanes, 4)))
+    ends = motion.attitude(times[[0, -1]])
+    attitudes = np.zeros((lanes, rows, 4))
+    attitudes[:, 0] = quaternion.product(turned, np.broadcast_to(ends[0], (lanes, 4)))
+    given = np.broadcast_to(motion.increments(times).reshape(1, rows, 3, 3), (lanes, rows, 3, 3))
+    restart = np.zeros((lanes, rows), np.int32)
+    restart[:, 0] = SET
+    vectors = in_words(bundle, restart, attitudes, np.zeros((lanes, rows, 3)), given)
+    words, _ = c_words(bundle, open_library(bundle, compiler, "-O2"), vectors)
+    held = bundle.machine.state[0].format
+    assert held is not None
+    q = quaternion.normalise(np.ldexp(words[:, -1, :4].astype(np.float64), -held.fraction))
+    first = quaternion.normalise(from_words(bundle, "q_nb", vectors.attitude[:, 0]))
+    back = quaternion.conjugate(np.broadcast_to(ends[0], (lanes, 4)))
+    truth = quaternion.product(quaternion.product(first, back), np.broadcast_to(ends[1], (lanes, 4)))
+    return bool(quaternion.error_angle(q, truth).max() < FIXED_ERRORS[accumulate] * ARCSEC)
+
+
+def levels_agree() -> bool:
+    """Sums of products and the integer operations made of them give the same words (test_proved_ranges)."""
+    bundle = build(design_of(CONING_3, number="fixed32", accumulate="compensated"))
+    try:
+        model_words(bundle, draw(bundle, 2000))
+    except CheckError:
+        return False
+    return True
+
+
+def within_bounds() -> bool:
+    """No value is beyond what is proved of it (test_proved_ranges)."""
+    bundle = build(design_of(CONING_3, number="fixed32"))
+    return not any(list(seen.beyond()) for seen in watch(bundle, draw(bundle, 2000)))
+
+
 LITERAL = re.compile(r"(\d+\.\d+(?:e[+-]\d+)?)(F?) /\* (-?\d+/\d+) \*/")
 
 
@@ -189,6 +236,11 @@ CHECKS: dict[str, Callable[[pytest.FixtureRequest], bool]] = {
     "reference, rates": lambda _: follows(CONING_3, input="rate"),
     "reference, cao (13)": lambda _: follows(CONING_3, input="rate", increments="cao-13"),
     "reference, axes": lambda _: follows(CONING_3, axes="y,-x,z") and follows(CONING_3, axes="y,-x,z", input="rate"),
+    "fixed point, error": lambda request: all(
+        accurate_in_fixed_point(request.getfixturevalue("first_compiler"), each) for each in FIXED_ERRORS
+    ),
+    "fixed point, levels agree": lambda _: levels_agree(),
+    "fixed point, proved ranges": lambda _: within_bounds(),
     "literals rounded once": lambda _: literals_are_rounded_once(),
     "increments exact": lambda _: increments_are_exact(),
     "weights published": lambda _: weights_are_published(),

@@ -15,6 +15,7 @@ from typing import Any, NoReturn
 
 import pytest
 
+import fixed_point_mistakes
 from checks import CHECKS, CONING_3
 from qcone import assembly, pipeline
 from qcone.algorithms import attitude as written_attitude
@@ -222,6 +223,7 @@ NOTICED_BY: dict[str, tuple[Mutation, tuple[str, ...]]] = {
     ),
     "sum from left to right": (sum_from_left_to_right, ("time-reversal",)),
     "signs of the axes dropped": (axes_without_their_signs, ("reference, axes",)),
+    **fixed_point_mistakes.NOTICED_BY,
     "matrix transposed": (matrix_transposed, ("reference",)),
 }
 """Every mutation and the checks that notice it."""
