@@ -27,8 +27,9 @@ from qcone.targets.cross import LEVEL, built_image
 from qcone.targets.division import wrong_quotient
 from qcone.targets.elf import Image
 from qcone.targets.emulation import Emulation, NotMeasuredError, job_for
-from qcone.targets.gates import defined_in, findings
+from qcone.targets.gates import called, defined_in, emitted_functions, findings
 from qcone.targets.job import Buffer, Call, Fault, Pointer
+from qcone.targets.library import divides
 from qcone.targets.machines import Target
 from qcone.vectors import Vectors
 from qcone.verify import run_arrays
@@ -87,8 +88,8 @@ def verify_on(
     """
     outcome = Outcome(bundle.name, named(compiler), LEVEL, target.name)
     image = built_image(compiler, target, bundle.sources, [f"{bundle.name}_run"], LEVEL, cflags)
-    bits = float_bits(bundle)
-    finding = next(findings(Disassembler(image), defined_in(bundle.source), target, bits), None)
+    bits, code, own = float_bits(bundle), Disassembler(image), defined_in(bundle.source)
+    finding = next(findings(code, own, target, bits), None)
     if finding:
         return replace(outcome, first_difference=finding.text, status=STATUS.get(finding.gate, finding.gate))
     try:
@@ -96,7 +97,11 @@ def verify_on(
         if fault:
             return replace(outcome, first_difference=fault, status="faults")
         found = _batch(outcome, bundle, target, image, vectors, emulation, flush)
-        if found.status == "differs" and bits:
+        if (
+            found.status == "differs"
+            and bits
+            and any(map(divides, called(code, emitted_functions(image, own)).values()))
+        ):
             wrong = wrong_quotient(compiler, target, bits, emulation, cflags)
             reason = f"the compiler's own division rounds subnormal quotients wrongly: {wrong}; " if wrong else ""
             found = replace(found, first_difference=f"{reason}{found.first_difference}")
