@@ -196,6 +196,27 @@ def test_one_unit_of_the_last_place_is_caught(emulation: Emulation) -> None:
     assert (found.first_difference or "").startswith("lane 0, step ")
 
 
+@pytest.mark.parametrize(("target", "wrong"), [("cortex-m3", True), ("cortex-m4f", False), ("powerpc", False)])
+def test_wrong_quotient_of_a_runtime_library_is_told(target: str, wrong: bool, emulation: Emulation) -> None:
+    """ziglang's soft division rounds subnormal quotients wrongly; a divider in hardware does not."""
+    found = outcome(shipped("rotation_vector_3_coning_euler_zyx_float32"), target, emulation, 10_000)
+    assert (found.status == "differs") == bool(found.differing_bits) == wrong
+    said = "the compiler's own division rounds subnormal quotients wrongly: 0x1."
+    assert (found.first_difference or "").startswith(said) == wrong
+
+
+def test_library_that_divides_right_is_not_blamed(missing_tool, emulation: Emulation) -> None:
+    if not gcc_for_arm():
+        missing_tool("arm-none-eabi-gcc (apt install gcc-arm-none-eabi)")
+    bundle, target = shipped("rotation_vector_3_coning_euler_zyx_float32"), TARGETS["cortex-m3"]
+    gcc = cross_compiler("arm-none-eabi-gcc")
+    found = verify_on(bundle, target, gcc, draw_chain(bundle, 10_000), emulation)
+    assert (found.status, found.differing_bits) == ("ok", 0)
+    changed = replace(bundle, source=bundle.source.replace("0.225F", "0.22500002F", 1))
+    found = verify_on(changed, target, gcc, draw_chain(bundle, 300), emulation)
+    assert (found.status, (found.first_difference or "").partition(" ")[0]) == ("differs", "lane")
+
+
 def test_emulator_that_crashes_has_measured_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     def crash(*_: object) -> None:
         raise NotMeasuredError("not measured: the emulator was ended by signal SIGSEGV")

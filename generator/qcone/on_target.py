@@ -24,10 +24,12 @@ from qcone.stepwise import first_state, model_steps, packed
 from qcone.targets.code import Disassembler
 from qcone.targets.compiler import Compiler
 from qcone.targets.cross import LEVEL, built_image
+from qcone.targets.division import wrong_quotient
 from qcone.targets.elf import Image
 from qcone.targets.emulation import Emulation, NotMeasuredError, job_for
-from qcone.targets.gates import defined_in, findings
+from qcone.targets.gates import called, defined_in, emitted_functions, findings
 from qcone.targets.job import Buffer, Call, Fault, Pointer
+from qcone.targets.library import divides
 from qcone.targets.machines import Target
 from qcone.vectors import Vectors
 from qcone.verify import run_arrays
@@ -86,14 +88,24 @@ def verify_on(
     """
     outcome = Outcome(bundle.name, named(compiler), LEVEL, target.name)
     image = built_image(compiler, target, bundle.sources, [f"{bundle.name}_run"], LEVEL, cflags)
-    found = next(findings(Disassembler(image), defined_in(bundle.source), target, float_bits(bundle)), None)
-    if found:
-        return replace(outcome, first_difference=found.text, status=STATUS.get(found.gate, found.gate))
+    bits, code, own = float_bits(bundle), Disassembler(image), defined_in(bundle.source)
+    finding = next(findings(code, own, target, bits), None)
+    if finding:
+        return replace(outcome, first_difference=finding.text, status=STATUS.get(finding.gate, finding.gate))
     try:
         fault = _watched(bundle, target, image, vectors, emulation, flush)
         if fault:
             return replace(outcome, first_difference=fault, status="faults")
-        return _batch(outcome, bundle, target, image, vectors, emulation, flush)
+        found = _batch(outcome, bundle, target, image, vectors, emulation, flush)
+        if (
+            found.status == "differs"
+            and bits
+            and any(map(divides, called(code, emitted_functions(image, own)).values()))
+        ):
+            wrong = wrong_quotient(compiler, target, bits, emulation, cflags)
+            reason = f"the compiler's own division rounds subnormal quotients wrongly: {wrong}; " if wrong else ""
+            found = replace(found, first_difference=f"{reason}{found.first_difference}")
+        return found
     except NotMeasuredError as error:
         return replace(outcome, first_difference=str(error), status=NOT_MEASURED)
 

@@ -97,6 +97,25 @@ def test_models_refuse_what_their_core_lacks() -> None:
         assert (ran.fault is None) == runs
 
 
+# Returns through a pop that is conditional, to an instruction that is to set the flags.
+CONDITIONAL_POP = r"""
+void called(int *a);
+__attribute__((naked)) void called(int *a)
+{
+    __asm__("push {lr}\n adr r1, 1f\n adds r1, #1\n push {r1}\n movs r2, #0\n movs r3, #1\n cmp r3, #2\n"
+            " it ne\n popne {pc}\n .align 2\n1: subs r3, #1\n beq 2f\n movs r2, #7\n2: adds r2, #2\n"
+            " str r2, [r0]\n pop {pc}");
+}
+"""
+
+
+def test_watched_load_in_a_conditional_block_leaves_nothing_behind() -> None:
+    """Unicorn takes the instruction it returns to for conditional too, and those set no flags."""
+    for traced in (False, True):
+        ran = run_on("cortex-m4", CONDITIONAL_POP, [Buffer("a", bytes(4), True)], traced=traced)
+        assert (ran.fault, ran.buffers[0]) == (None, (2).to_bytes(4, "little"))
+
+
 def test_stack_is_counted_to_the_byte_reserved_or_written() -> None:
     text = "int called(int n);\nint called(int n) { volatile char room[%d]; room[n] = 1; return room[n]; }\n"
     stack = {size: run_on("cortex-m0", text % size, arguments=[1]).stack for size in (8, 408)}

@@ -21,6 +21,7 @@ BUFFERS = 0x6000_0000
 RETURN = 0x7C00_0000
 
 _DATA_ABORT = 4
+_IT_STATE = 0x0600_FC00
 
 
 class Emulator:
@@ -146,10 +147,21 @@ class Emulator:
         if len(self._trace) > self.job.longest:
             self._fail("instruction", address, f"the call did not return within {self.job.longest} instructions")
 
+    def _leave_block(self) -> None:
+        """Clear the state of an IT block, which unicorn (2.1.4) leaves behind after a watched access inside one.
+
+        The block's own instructions are translated already; the next ones would be taken for conditional.
+        """
+        status = self._convention.block_status
+        if status is not None and (held := int(self.uc.reg_read(status))) & _IT_STATE:
+            self.uc.reg_write(status, held & ~_IT_STATE)
+
     def _on_read(self, uc: Any, access: int, address: int, size: int, value: int, data: object) -> None:
+        self._leave_block()
         self._check("read", address, size, self._readable, STACK_TOP)
 
     def _on_write(self, uc: Any, access: int, address: int, size: int, value: int, data: object) -> None:
+        self._leave_block()
         if STACK_TOP - STACK_SIZE <= address < self._lowest:
             self._lowest = address
         self._check("write", address, size, self._writable, self._owned)

@@ -7,6 +7,7 @@ import re
 _DOUBLE = re.compile(r"__aeabi_(?:c?d\w+|f2d|u?[il]l?2d)|__\w*df\w*")
 _SINGLE = re.compile(r"__aeabi_(?:c?f\w+|d2f|u?[il]l?2f)|__\w*sf\w*")
 _MULTIPLY = re.compile(r"__aeabi_[fd]mul|__mul[sd]f3")
+_DIVIDE = re.compile(r"__aeabi_[fd]div|__div[sd]f3")
 _ADD = re.compile(r"__aeabi_[fd](?:add|r?sub)|__(?:add|sub)[sd]f3")
 
 
@@ -25,6 +26,11 @@ def multiplies(name: str) -> bool:
 def adds(name: str) -> bool:
     """Tell whether a routine is the sum or difference of two floats."""
     return _ADD.fullmatch(name) is not None
+
+
+def divides(name: str) -> bool:
+    """Tell whether a routine is the quotient of two floats."""
+    return _DIVIDE.fullmatch(name) is not None
 
 
 def public_name(names: tuple[str, ...]) -> str:

@@ -15,13 +15,17 @@ _FPU_ON = 0x2000
 
 @dataclass(frozen=True)
 class Convention:
-    """Registers by unicorn's numbers. `linkage` are the bytes above the stack pointer that a callee may write."""
+    """Registers by unicorn's numbers, and `linkage`, the bytes above the stack pointer that a callee may write.
+
+    `block_status` is the register that holds the state of a Thumb IT block.
+    """
 
     pc: int
     sp: int
     back: int
     arguments: tuple[int, ...]
     linkage: int
+    block_status: int | None = None
 
 
 def library() -> Any:
@@ -46,7 +50,7 @@ def _arm(job: Job, unicorn: Any) -> tuple[Any, Convention]:
     if job.flush:
         _flush(uc, arm)
     given = (arm.UC_ARM_REG_R0, arm.UC_ARM_REG_R1, arm.UC_ARM_REG_R2, arm.UC_ARM_REG_R3)
-    return uc, Convention(arm.UC_ARM_REG_PC, arm.UC_ARM_REG_SP, arm.UC_ARM_REG_LR, given, 0)
+    return uc, Convention(arm.UC_ARM_REG_PC, arm.UC_ARM_REG_SP, arm.UC_ARM_REG_LR, given, 0, arm.UC_ARM_REG_CPSR)
 
 
 def _flush(uc: Any, arm: Any) -> None:
