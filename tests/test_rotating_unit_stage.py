@@ -13,15 +13,11 @@ import pytest
 
 from qcone import pipeline, verify
 from qcone.algorithms import rotating_unit as written
-from qcone.bundle import with_manifest
-from qcone.design import design_from_options
 from qcone.ir.real import Quaternion, Scalar
 from qcone.outcomes import describe_first, word_names
 from qcone.pipeline import build
 from qcone.reference import euler, quaternion, rotating_unit
-from qcone.registry import entries
 from qcone.stage_contract import ANGLE_UNITS, QUATERNION_UNITS, TILT_UNITS
-from qcone.studies.counting import rows_of_design
 from qcone.targets.build import build_shared
 from qcone.targets.compiler import Compiler, compilers
 from qcone.targets.host import Library
@@ -182,63 +178,6 @@ def test_harmonics_are_zero_at_first_and_outlast_an_attitude(first_compiler: Com
     assert corrected[1:] == pytest.approx(tilts, abs=1e-18)
 
 
-def body_of(text: str, function: str) -> str:
-    return text.split(f"_{function}(", 1)[1].split("\n}\n", 1)[0]
-
-
-def test_the_axes_of_the_sensor_leave_the_stage_alone() -> None:
-    plain, turned_axes = (build(unit(axes=axes)).source for axes in ("x,y,z", "y,-x,z"))
-    for function in ("set_correction", "correct", "body_quaternion"):
-        assert body_of(plain, function) == body_of(turned_axes, function)
-    assert plain != turned_axes
-
-
-def test_no_branch_and_nothing_of_a_library() -> None:
-    for number in NUMBERS:
-        text = re.sub(r"/\*.*?\*/", "", build(unit(number=number)).source, flags=re.DOTALL)
-        for function in ("correct", "body_quaternion"):
-            assert not re.search(r"\b(if|for|while|switch|goto)\b", body_of(text, function))
-            assert not re.search(r"\w\(", body_of(text, function).split("{", 1)[1])
-        assert "math.h" not in text
-        assert ("double" in text) == (number == "float64")
-
-
-def test_the_header_says_what_is_declared_and_promised() -> None:
-    header = " ".join(re.sub(r"\n ?\*? *", " ", shipped("rotation_vector_3_coning_rins_float32").header).split())
-    for words in (
-        "encoder angle at most 3 pi in size; sqrt(A^2 + B^2) + |C| of each harmonic at most 0.0029089 rad (600 arcsec)",
-        "rad, at most 3 pi in size: 0..2 pi and -pi..pi both",
-        "within half a unit of its last place and 2.8e-09 rad",
-        "within 8.3e-09 rad of the exact function",
-        "within 9.5e-07 of the exact function",
-        "The correction is zero.",
-        "The correction is kept.",
-        "rins (10) to (16)",
-        "correct emitted",
-        "body_quaternion emitted",
-    ):
-        assert words in header, words
-
-
-def test_without_the_table_there_is_no_trace_of_it() -> None:
-    bundle = shipped("rotation_vector_3_coning_float32")
-    assert not bundle.driver.stage
-    for text in with_manifest(bundle).values():
-        assert "correct" not in text
-        assert "body_" not in text
-
-
-def test_counts_of_the_stage_have_rows_of_their_own() -> None:
-    design = unit("rotation-vector subsamples=3 coefficients=coning", number="float64")
-    found = [row for row in rows_of_design(design, ("factored",)) if row["algorithm"] == "rins"]
-    assert [row["level"] for row in found] == ["as-written", "shared", "emitted"]
-    assert found[0]["trigonometric"] == 10, "two for al, two for the error, two for each half tilt, two for half al"
-    assert (found[2]["trigonometric"], found[2]["divide"], found[2]["square_root"]) == (0, 0, 0)
-    levels = build(design).facts.counts
-    for kind in ("multiply", "add", "subtract", "compare", "select"):
-        assert found[2][kind] == sum(getattr(levels[name]["emitted"], kind) for name in ("correct", "body_quaternion"))
-
-
 @pytest.mark.parametrize("number", NUMBERS)
 def test_vectors_hold_the_corners_of_the_stage(number: str) -> None:
     bundle = shipped(f"rotation_vector_3_coning_rins_{number}")
@@ -348,26 +287,9 @@ def test_a_series_a_term_short_is_seen(monkeypatch: Patch, first_compiler: Compi
     assert errors(found, "float64", np.deg2rad(10))["tilt"] > 2 * FLOORS["tilt"]
 
 
-def test_options_ask_for_the_stage_too() -> None:
-    words = {"algorithm": "rotation-vector", "number": "float64", "update_hz": "100", "max_rate_dps": "573"}
-    assert design_from_options("a", words, entries()).rins is None
-    asked = design_from_options("a", {**words, "max-correction-arcsec": "120"}, entries()).rins
-    assert asked is not None
-    assert asked.max_correction_arcsec == 120
-
-
-FIXED = "rotation_vector_3_coning_rins_fixed32_compensated"
-FRACTION_BITS = {"ENCODER": 27, "ANGLE": 27, "TILT": 36, "AZIMUTH": 39, "TILT_X": 39, "TILT_Y": 39}
-
-
-def test_the_header_gives_the_fraction_bits_of_every_argument_of_the_stage() -> None:
-    for argument, bits in FRACTION_BITS.items():
-        assert f"#define {FIXED.upper()}_{argument}_FRACTION_BITS {bits}\n" in shipped(FIXED).header
-
-
 def test_fixed_point_keeps_what_its_header_states(first_compiler: Compiler) -> None:
     """Against 40 digits of the rounded arguments: half a place and the stated errors, read from the header."""
-    bundle = shipped(FIXED)
+    bundle = shipped("rotation_vector_3_coning_rins_fixed32_compensated")
     largest = float(bundle.facts.known.correction or 0)
     found = turned(bundle, first_compiler, *rows("float64", COUNT, largest))
     header = " ".join(re.sub(r"\n ?\*? *", " ", bundle.header).split())
@@ -379,7 +301,7 @@ def test_fixed_point_keeps_what_its_header_states(first_compiler: Compiler) -> N
             r"is within (\S+) of the exact",
         )
     )
-    half_place = 2.0 ** -(FRACTION_BITS["ANGLE"] + 1)
+    half_place = 2.0 ** -(bundle.driver.bits("angle") + 1)
     for k, encoder in enumerate(found.encoder.tolist()):
         corrected, *tilts = exact_correction(encoder, found.harmonics[k])
         assert abs(found.angle[k] - corrected) <= half_place + angle
