@@ -103,7 +103,7 @@ CALLER = """\
 int main()
 {{
     {name}_state state = {upper}_STATE_INIT;
-    {ctype} input[3 * {upper}_SUBSAMPLES] = {{}};
+    {given} input[3 * {upper}_SUBSAMPLES] = {{}};
     {ctype} q[4];
     {name}_init(&state);
     {start}{name}_update(&state, input);
@@ -125,7 +125,8 @@ def cxx(request: pytest.FixtureRequest, missing_tool: MissingTool) -> tuple[str,
 def test_header_serves_cpp17(cxx: Sequence[str], name: str, tmp_path: Path) -> None:
     bundle = shipped(name)
     start = f"{name}_start(&state, input);\n    " if bundle.driver.has_start else ""
-    text = CALLER.format(name=name, upper=name.upper(), ctype=bundle.driver.ctype, start=start)
+    driver = bundle.driver
+    text = CALLER.format(name=name, upper=name.upper(), ctype=driver.ctype, given=driver.input_ctype, start=start)
     files = {f"{name}.h": bundle.header, "caller.cpp": text}
     flags = ("-std=c++17", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror", "-O1")
     done = compiled([*cxx, *flags, "-c", "caller.cpp", "-o", "caller.o"], files, tmp_path)

@@ -151,8 +151,15 @@ def history_one_sample_late(patch: Patch) -> None:
 
 def rate_one_sample_late(patch: Patch) -> None:
     """Keep the last but one rate for the next update, instead of the last."""
-    right = assembly.around.write_raw
-    patch.setattr(assembly.around, "write_raw", lambda b, block, source, k: right(b, block, source, max(k - 1, 0)))
+    right = assembly.around.write
+
+    def write(builder: Builder, block: Block, entry: int, quantity: Quantity) -> None:
+        if block.name == "omega_last":
+            given = next(each for each in builder.blocks if each.role is Role.INPUT)
+            quantity = assembly.around.read(builder, given, max(given.count - 2, 0))
+        right(builder, block, entry, quantity)
+
+    patch.setattr(assembly.around, "write", write)
 
 
 def product_reversed(patch: Patch) -> None:
