@@ -18,9 +18,10 @@ from numpy.typing import NDArray
 from fixed_designs import ACCUMULATIONS, FLAGSHIP, SMOOTH, made
 from qcone.backends.bittrue_fixed import rounded
 from qcone.bundle import Bundle
-from qcone.formats.fixed import Signal
-from qcone.ir.statement import Operation, Role
-from shipped import WITH_PHI
+from qcone.formats.fixed import WIDTHS, Signal
+from qcone.ir.machine import MachineOp
+from qcone.ir.statement import Operation, Role, walk
+from shipped import DESIGNS, THROUGH_PHI, WITH_PHI, shipped
 from symmetry import CYCLIC, FLIPS, ROWS, Run, attitudes, holding, same, scalar_and, signs_in
 from watching import drawn
 
@@ -173,3 +174,44 @@ def test_an_update_that_goes_through_no_phi_turns_with_its_axes(example: str, ac
     for signs in signs_in(np.int64, FLIPS):
         flipped = Run(bundle, q * scalar_and(signs), words * signs, none, None if before is None else before * signs)
         assert same(flipped.q, usual.q * scalar_and(signs))
+
+
+# -- the shipped designs -----------------------------------------------------------------------------------
+
+SHIPPED = [name for name, design in DESIGNS.items() if design.number.format in WIDTHS]
+THROUGH_INCREMENTS = [
+    name for name in SHIPPED if DESIGNS[name].algorithm in THROUGH_PHI and DESIGNS[name].input == "increment"
+]
+
+
+def test_a_design_that_rounds_to_even_is_shipped() -> None:
+    assert any(DESIGNS[name].number.rounding == "even" for name in THROUGH_INCREMENTS)
+
+
+@pytest.mark.parametrize("name", THROUGH_INCREMENTS)
+def test_a_shipped_design_has_the_symmetries_of_fixed_point(name: str) -> None:
+    bundle = shipped(name)
+    found, claimed = properties(bundle, 21), bundle.facts.algorithm.claims("factored") | {"constant-rate"}
+    if DESIGNS[name].number.rounding == "even":
+        assert found == claimed
+    else:
+        assert {"cyclic", "constant-rate"} <= found <= claimed
+    (dtheta, previous), q = samples(bundle, 23), start(bundle)
+    usual = Run(bundle, q, dtheta, previous)
+    turned = Run(bundle, q[PERMUTED], dtheta[:, CYCLIC], previous[:, CYCLIC])
+    assert same(turned.q, usual.q[PERMUTED])
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_the_constants_of_a_shipped_design_are_rounded_once(name: str) -> None:
+    bundle = shipped(name)
+    seen = 0
+    for routine in bundle.machine.routines:
+        for each in walk(routine.body):
+            if isinstance(each, Operation) and each.op is MachineOp.LITERAL and isinstance(each.format, Signal):
+                assert each.constant is not None
+                assert each.exact is not None
+                error = each.constant - each.exact
+                assert -each.format.lsb / 2 < error <= each.format.lsb / 2
+                seen += 1
+    assert seen > 3

@@ -22,8 +22,10 @@ from qcone.algorithms import attitude as written_attitude
 from qcone.algorithms import coefficients, rotation_vector
 from qcone.formats.floating import Floating
 from qcone.ir import products, update
+from qcone.ir.blocks import Quantity
+from qcone.ir.builder import Builder
 from qcone.ir.operations import RealOp
-from qcone.ir.statement import Operation, Program, Statement
+from qcone.ir.statement import Block, Operation, Program, Role, Statement
 from qcone.pipeline import build
 from qcone.targets.compiler import compilers
 from qcone.targets.probe import has_fma
