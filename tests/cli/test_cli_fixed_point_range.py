@@ -1,4 +1,4 @@
-"""A declared range beyond what is proved is refused on the command line; nothing is written, and half of it would do."""
+"""A declared range beyond what is proved is refused: nothing is written, and half of it would do."""
 
 from __future__ import annotations
 
