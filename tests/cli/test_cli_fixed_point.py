@@ -15,7 +15,7 @@ imu = { update_hz = 100, max_rate_dps = 573 }
 """
 FIXED = HEAD + 'number = { format = "fixed32" }\n'
 COUNTS = HEAD.replace("573 }", '573, quantum_dps = "1/20" }') + 'input = "counts"\n'
-LENGTH = "the length of 'q' is not proved to stay near 1: one update may change it too much"
+LENGTH = "the length of 'q' is not proved to stay near 1: one update may take one within 1/2 of 1 to 1.64"
 RANGE = "raise update_hz, lower max_rate_dps, or choose a wider format"
 PIN = "pin fewer bits, or take the names from the emitted C"
 

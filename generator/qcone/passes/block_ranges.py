@@ -54,6 +54,17 @@ def length(magnitudes: Magnitudes, routine: Routine, values: list[int]) -> tuple
     return low, high
 
 
+def change(signal: Signal, spread: Fraction, reached: tuple[Fraction, Fraction]) -> str:
+    """Say what an update may do to a length within `spread` of 1, and how many bits that is more than a word holds."""
+    low, high = reached
+    end = high if high > 1 + spread else low
+    missing = 0
+    while high * 2**signal.fraction >= 2 ** (signal.width - 1 + missing):
+        missing += 1
+    more = f", {missing} bit{'s' * (missing > 1)} more than {signal.name} holds" if missing else ""
+    return f"take one within {spread} of 1 to {float(end):.3g}{more}"
+
+
 class BlockRanges:
     """What is known of the blocks of one program: `bounds` and `norms` of what the state keeps beside the attitude.
 

@@ -17,7 +17,7 @@ from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Block, Choose, Operation, Place, Program, Role, Routine, Statement, Write, unused
-from qcone.passes.block_ranges import GIVEN, RESIDUAL, WHOLE_BITS, BlockRanges, length
+from qcone.passes.block_ranges import GIVEN, RESIDUAL, WHOLE_BITS, BlockRanges, change, length
 from qcone.passes.choices import Formats, PinError
 from qcone.passes.declared import Declaration, scaled, with_last_bits
 from qcone.passes.errors import errors
@@ -75,6 +75,7 @@ class _FixedPoint:
         self.held = program.state[0]
         self.fused = tuple(map(self._fused, program.routines))
         self.ranges = BlockRanges(program, self.fused, number, self.declaration, compensated)
+        self.escaped: tuple[Fraction, tuple[Fraction, Fraction]] | None = None
         self.cost: dict[str, HighWord] = {}
 
     def run(self) -> FixedProgram:
@@ -99,8 +100,9 @@ class _FixedPoint:
                 return self._lowered(done, signals, proved)
         if failed:
             raise failed
+        what = change(self.ranges.signals()[self.held.name], *self.escaped) if self.escaped else "change it too much"
         raise UsageError(
-            f"the length of '{self.held.name}' is not proved to stay near 1: one update may change it too much"
+            f"the length of '{self.held.name}' is not proved to stay near 1: one update may {what}"
             + self._what_would_do()
         )
 
@@ -223,6 +225,7 @@ class _FixedPoint:
             low, high = length(magnitudes, routine, written[entry : entry + size])
             most = (1 + spread) ** 2 if (size, entry) == (3, 6) else 1 + spread
             if high > most or (size == 4 and self.ranges.nearest and low < 1 - spread):
+                self.escaped = spread, (low, high)
                 return False
         return True
 
