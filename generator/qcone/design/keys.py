@@ -135,7 +135,7 @@ TARGET_BUDGET_KEYS = _counts("most on this target", "text_bytes", "instructions_
 
 NAME_PATTERN = "^[a-z][a-z0-9_]{0,63}$"
 USER_ALGORITHM_PATTERN = r"^[^:\n]*[^:/\n]\.py:[A-Za-z_][A-Za-z0-9_]*$"
-PIN_PATTERN = "^ *[a-z][a-z0-9_]* *= *[0-9]+ *$"
+PIN_PATTERN = "^ *[a-z][a-z0-9_]* *= *[0-9]{1,3} *$"
 MOST_FRACTION_BITS = 62
 LICENSE_PATTERN = "^[A-Za-z0-9][A-Za-z0-9.+-]*$"
 

@@ -68,7 +68,7 @@ def _toml_value(kind: Kind | None, value: object) -> object:
     if isinstance(value, float):
         return toml_float(repr(value))
     if isinstance(value, list | tuple):
-        if kind == "choices":
+        if kind in ("choices", "pins"):
             value = ",".join(map(str, value))
         else:
             return [_toml_value("decimal", each) for each in value]
@@ -79,7 +79,7 @@ def _toml_value(kind: Kind | None, value: object) -> object:
         return int(value) if _WHOLE.fullmatch(value) else value
     if kind == "decimal":
         return _number(value)
-    if kind == "choices":
+    if kind in ("choices", "pins"):
         return parts
     if kind == "vector":
         return [_number(part) for part in parts]
