@@ -7,9 +7,13 @@ from pathlib import Path
 from typing import NoReturn
 
 import pytest
+from hypothesis import settings
 
 from qcone.targets import build
 from qcone.targets.compiler import Compiler, compilers, is_zig
+
+settings.register_profile("untimed", deadline=None)
+settings.load_profile("untimed")  # how long an example takes says nothing: the machine may be busy
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
