@@ -14,7 +14,8 @@ from qcone.targets.compiler import LEVELS, Compiler, compilers
 from qcone.targets.probe import has_fma
 from qcone.verify import verify
 
-FLAGS = ("-ffp-contract=fast", "-ffast-math")
+FLAGS = ("-ffp-contract=fast", "-fno-signed-zeros", "-ffinite-math-only", "-fno-strict-aliasing")
+"""Of -ffast-math, what does not outlast the library: all of it links code that turns subnormals off for the process."""
 OUTPUTS = "quaternion,dcm,euler"
 
 
