@@ -20,7 +20,7 @@ from qcone.backends.bittrue import dtype_of
 from qcone.bundle import Bundle
 from qcone.ir.statement import Role
 from qcone.outcomes import NOT_MEASURED, Outcome, judged, named
-from qcone.stepwise import first_state, model_steps, packed
+from qcone.stepwise import argument, first_state, model_steps, packed
 from qcone.targets.code import Disassembler
 from qcone.targets.compiler import Compiler
 from qcone.targets.cross import LEVEL, built_image
@@ -135,8 +135,8 @@ def _watched(
     size = vectors.inputs[0, 0].nbytes
     buffers = [
         Buffer("the state", packed(bundle, first_state(bundle, vectors), target.big_endian), True),
-        Buffer(_input(bundle, bundle.driver.setter), in_order(vectors.attitude[0, :1], target)),
-        Buffer(_input(bundle, "update"), in_order(vectors.inputs[0, :rows], target)),
+        Buffer(argument(bundle, bundle.driver.setter), in_order(vectors.attitude[0, :1], target)),
+        Buffer(argument(bundle, "update"), in_order(vectors.inputs[0, :rows], target)),
     ]
     calls = [("init", (Pointer(0),)), (bundle.driver.setter, (Pointer(0), Pointer(1)))]
     if bundle.driver.has_start:
@@ -186,10 +186,6 @@ def _stage(
         taken = [Pointer(at[block.name]) for block in (*routine.having(Role.INPUT), *routine.having(Role.OUTPUT))]
         calls.append((name, (*([Pointer(0)] if routine.having(Role.STATE) else []), *taken)))
     return calls
-
-
-def _input(bundle: Bundle, routine: str) -> str:
-    return bundle.machine.routine(routine).having(Role.INPUT)[0].name
 
 
 def _batch(

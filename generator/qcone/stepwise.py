@@ -43,7 +43,7 @@ def model_steps(bundle: Bundle, vectors: Vectors, words: NDArray[Any]) -> NDArra
                     model.run("start", part, {"omega": before[chosen].T})
                 for block, array in part.items():
                     state[block][:, chosen] = array
-        model.run("update", state, {_argument(bundle, "update"): np.ascontiguousarray(inputs.T)})
+        model.run("update", state, {argument(bundle, "update"): np.ascontiguousarray(inputs.T)})
         reported = [each for name, _ in bundle.driver.outputs for each in model.run(name, state).values()]
         reported += stage_words(model, bundle, state, encoder)
     found = np.concatenate([*state.values(), *reported], dtype=words.dtype, casting="unsafe")
@@ -55,7 +55,7 @@ def first_state(bundle: Bundle, vectors: Vectors) -> State:
     model = Model(bundle.machine, bundle.facts.number)
     state = new_state(bundle.machine, bundle.facts.number, 1)
     name = "init" if vectors.restart[0, 0] == INIT else bundle.driver.setter
-    model.run(name, state, {_argument(bundle, bundle.driver.setter): vectors.attitude[0, :1].T})
+    model.run(name, state, {argument(bundle, bundle.driver.setter): vectors.attitude[0, :1].T})
     if bundle.driver.has_start:
         model.run("start", state, {"omega": vectors.before[0, :1].T})
     return state
@@ -99,5 +99,6 @@ def _states(bundle: Bundle, words: NDArray[Any]) -> State:
     return state
 
 
-def _argument(bundle: Bundle, routine: str) -> str:
+def argument(bundle: Bundle, routine: str) -> str:
+    """Return the name of the block that a routine is handed first."""
     return bundle.machine.routine(routine).having(Role.INPUT)[0].name

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 ROUNDINGS = ("up", "even", "floor")
-OVERFLOWS = ("prove", "saturate", "wrap")
 
 
 @dataclass(frozen=True)

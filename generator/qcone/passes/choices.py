@@ -110,8 +110,3 @@ def exponent(power: Fraction) -> int:
 def nearest(value: Fraction, signal: Signal) -> Fraction:
     """Return the nearest multiple of the format's last bit, halves up."""
     return (value / signal.lsb + Fraction(1, 2)).__floor__() * signal.lsb
-
-
-def args_of(terms: tuple[Term, ...]) -> tuple[int, ...]:
-    """Return the values that terms are made of, each once."""
-    return tuple(dict.fromkeys(arg for term in terms for arg in term.args))

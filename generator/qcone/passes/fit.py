@@ -12,8 +12,8 @@ from fractions import Fraction
 from qcone.ir.detail import Sum, Term
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Operation, Statement
-from qcone.passes.choices import Choices, Formats, UnfitError, args_of, nearest
-from qcone.passes.fuse import is_power_of_two
+from qcone.passes.choices import Choices, Formats, UnfitError, nearest
+from qcone.passes.fuse import args_of, is_power_of_two
 
 LEAST_DROPPED = 8
 """Fewer dropped bits than these would show the bias of rounding halves up."""

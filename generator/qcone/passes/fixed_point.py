@@ -6,7 +6,7 @@ maps into itself, roundings included. What else the state keeps is bounded by wh
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -81,12 +81,8 @@ class _FixedPoint:
     def run(self) -> FixedProgram:
         self._check_pins()
         failed: UsageError | None = None
-        for spare, spread, nearest in self.ranges.spreads():
-            self.ranges.spare, self.ranges.nearest = spare, nearest
-            self.ranges.settle(spread)
-            signals, declared = self.ranges.signals(), self.ranges.declared(spread)
-            if not all(self._may_stay(routine, declared, spread) for routine in self.fused):
-                continue
+        for spread, declared in self._possible():
+            signals = self.ranges.signals()
             try:
                 done = [self._assigned(routine, signals, declared) for routine in self.fused]
             except UsageError as error:
@@ -130,13 +126,16 @@ class _FixedPoint:
 
     def may_fit(self) -> bool:
         """Tell whether some range of the attitude's length is kept, if nothing is rounded."""
+        return any(True for _ in self._possible())
+
+    def _possible(self) -> Iterator[tuple[Fraction, Mapping[str, Declared]]]:
+        """Yield each range of the length that would be kept if nothing were rounded, and what it means for blocks."""
         for spare, spread, nearest in self.ranges.spreads():
             self.ranges.spare, self.ranges.nearest = spare, nearest
             self.ranges.settle(spread)
             declared = self.ranges.declared(spread)
             if all(self._may_stay(routine, declared, spread) for routine in self.fused):
-                return True
-        return False
+                yield spread, declared
 
     def _fused(self, routine: Routine) -> Routine:
         if self.compensated and self.held in routine.blocks:

@@ -19,7 +19,6 @@ from qcone.ir.statement import Call, Loop, Operation, Routine, Statement, Write,
 Terms = tuple[Term, ...]
 NOTHING: Terms = (Term(Fraction(0)),)
 """The terms of a sum in which everything cancels."""
-TRANSPARENT = (RealOp.ADD, RealOp.SUBTRACT, RealOp.NEGATE, RealOp.MULTIPLY, RealOp.ACCUMULATE)
 
 
 def fuse(routine: Routine) -> Routine:
@@ -84,7 +83,7 @@ class _Fusion:
             terms = self._terms(args[0], mark=False) or NOTHING
             detail = Sum(terms, carried=op is RealOp.CARRY)
             self.body.append(
-                replace(operation, op=RealOp.SUM if op is RealOp.CARRY else op, args=_args(terms), detail=detail)
+                replace(operation, op=RealOp.SUM if op is RealOp.CARRY else op, args=args_of(terms), detail=detail)
             )
             if args[0] in self.names:
                 self.names.setdefault(result, self.names[args[0]])
@@ -113,7 +112,7 @@ class _Fusion:
         """Write the sum of a value that is needed as such."""
         terms = self.sums.pop(value) or NOTHING
         origin = self.origin[value]
-        operation = replace(origin, op=RealOp.SUM, args=_args(terms), constant=None, place=None, detail=Sum(terms))
+        operation = replace(origin, op=RealOp.SUM, args=args_of(terms), constant=None, place=None, detail=Sum(terms))
         self.body.append(operation)
 
     def _value(self, value: int) -> int:
@@ -172,7 +171,8 @@ def is_power_of_two(value: Fraction) -> bool:
     return bool(top) and top & (top - 1) == 0 and bottom & (bottom - 1) == 0
 
 
-def _args(terms: Terms) -> tuple[int, ...]:
+def args_of(terms: Terms) -> tuple[int, ...]:
+    """Return the values that terms are made of, each once."""
     return tuple(dict.fromkeys(arg for term in terms for arg in term.args))
 
 

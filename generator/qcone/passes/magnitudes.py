@@ -57,7 +57,6 @@ class Magnitudes:
         self._rules: dict[int, Interval | None] = {}
         self._norms: dict[int, Interval | None] = {}
         self._holding: dict[int, list[int]] = {}
-        self._entry: dict[int, tuple[int, ...]] = {}
         self._read: dict[int, str] = {}
         self._twins: dict[tuple[int, ...], list[int]] = {}
         for number, group in enumerate(routine.groups):
