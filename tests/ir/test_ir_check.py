@@ -84,6 +84,7 @@ LEGAL: dict[str, list[Statement]] = {
     "guarded by an empty turn": [loop("n", 0, 3, loop("j", 1, N, read(0, "r", N - J), write("r", 0, J - 1)))],
     "one counter after another": [loop("n", 0, 3, constant(0), write("r", 0, N))] * 1
     + [loop("n", 0, 3, constant(1), write("r", 1, N))],
+    "another component": [constant(0), write("s", 0, 1), read(1, "s")],
     "advance": [Advance(Place("s"))],
     "choose": [Choose(Place("s"), ((1, "first"),), "then")],
 }
@@ -137,7 +138,11 @@ ILLEGAL: dict[str, tuple[list[Statement], str]] = {
     "counter in use": ([loop("n", 0, 1, loop("n", 0, 1))], "the counter 'n' is in use"),
     "write to input": ([constant(0), write("i", 0)], "'i' is read only"),
     "write to table": ([constant(0), write("t", 0)], "'t' is read only"),
-    "read after write": ([constant(0), write("s", 0, 1), read(1, "s")], "the state 's' is read after it was written"),
+    "read after write": (
+        [constant(0), write("s", 0, 1), read(1, "s"), read(2, "s", 1)],
+        "the state 's' is read after it was written",
+    ),
+    "bound of no loop in a loop": ([loop("j", 0, 1, loop("k", 0, N, constant(0)))], "there is no loop over 'n' here"),
     "read in the next turn": (
         [loop("n", 0, 1, read(0, "s"), write("s", 0, N))],
         "the state 's' is read after it was written",

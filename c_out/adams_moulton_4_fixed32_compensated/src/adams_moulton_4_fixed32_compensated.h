@@ -28,10 +28,10 @@
  * hold emitted               0       0    0         0       0       0     0     0     0       0      3
  * start_up as-written      264       0  181        46      12       0     0     0     0       0      0
  * start_up shared          221      34  165        58       3       0     0     0     0       0      0
- * start_up emitted         221       0  168        55      14       0     0     0     0       0    194
+ * start_up emitted         221       0  206        17      29       0     0     0     0       0    194
  * steady as-written         75       0   37        23       2       0     0     0     0       0      0
  * steady shared             74       1   37        23       1       0     0     0     0       0      0
- * steady emitted            74       0   31        29       5       0     0     0     0       0     71
+ * steady emitted            74       0   44        16      10       0     0     0     0       0     71
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

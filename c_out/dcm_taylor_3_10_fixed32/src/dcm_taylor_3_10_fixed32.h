@@ -26,7 +26,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written      473       0  285       197       0       0     0     0     0       0      0
  * update shared          399      20  252       179       0       0     0     0     0       0      0
- * update emitted         399       0  173       189       0       0     0     0     0       0    366
+ * update emitted         399       0  345        17      10       0     0     0     0       0    366
  * dcm as-written           0       0    0         0       0       0     0     0     0       0      0
  * dcm shared               0       0    0         0       0       0     0     0     0       0      0
  * dcm emitted              0       0    0         0       0       0     0     0     0       0      0

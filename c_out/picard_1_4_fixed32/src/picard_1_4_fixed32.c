@@ -16,15 +16,15 @@
  *              it nothing is promised: clamp inputs that can be so large
  * truncation:  series of the algorithm's order in |phi|; error of r at most 2.2e-11 (scalar),
  *              2.6e-09 (vector)
- * rounding:    one update is within 1.2e-09 of exact arithmetic, in the norm of the components;
+ * rounding:    one update is within 2.3e-09 of exact arithmetic, in the norm of the components;
  *              proved
- * high words:  2 of 12 rounded sums of products drop a whole word, 2 before formats were searched
- *              for that; of one update's errors in the first order it made 2.3e-09 of 2.3e-09
+ * high words:  10 of 12 rounded sums of products drop a whole word, 2 before formats were searched
+ *              for that; of one update's errors in the first order it made 3.6e-09 of 2.3e-09
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       30       0   17         8       0       0     0     0     0       0      0
  * update shared           29       1   17         8       0       0     0     0     0       0      0
- * update emitted          29       0   13        12       0       0     0     0     0       0     25
+ * update emitted          29       0   22         3       3       0     0     0     0       0     13
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -44,23 +44,10 @@ static inline int32_t shift_right_32(int32_t x, int bits)
     return ((((int32_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
 }
 
-/* x / 2^bits, rounded down, 0 <= bits < 64. */
-static inline int64_t shift_right_64(int64_t x, int bits)
-{
-    return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
-}
-
 /* x / 2^21, rounded to nearest, halves up; the result fits 32 bits. */
 static inline int32_t round_21(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1048576)) >> 21);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^24, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_24(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(8388608)) >> 24);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -83,12 +70,6 @@ static inline int32_t round_32(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(2147483648)) >> 32);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^37, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_37(int64_t x)
-{
-    return (int32_t)shift_right_64(x + INT64_C(68719476736), 37);
 }
 
 /* x / 2^10, rounded to nearest, halves up. */
@@ -115,13 +96,13 @@ void picard_1_4_fixed32_set_quaternion(picard_1_4_fixed32_state *state, const in
 
     /* e = (1 - |q|^2)/2 */
     const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
-    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
-    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
-    const int64_t e_4 = e_2 - e_3;  /* F61 */
-    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
-    const int64_t e_6 = e_4 - e_5;  /* F61 */
-    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
-    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int64_t e_2 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_3 = e_1 + e_2;  /* F61 */
+    const int64_t e_4 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_5 = e_3 + e_4;  /* F61 */
+    const int64_t e_6 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_7 = e_5 + e_6;  /* F61 */
+    const int64_t e_8 = INT64_C(1152921504606846976) /* 1/2 */ - e_7;  /* F61 */
     const int32_t e = round_21(e_8);  /* F40, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -152,10 +133,6 @@ void picard_1_4_fixed32_set_quaternion(picard_1_4_fixed32_state *state, const in
 void picard_1_4_fixed32_update(picard_1_4_fixed32_state *state, const int32_t dtheta[3])
 {
     /* attitude and input */
-    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
-    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
-    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
-    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
     const int32_t dtheta_x = dtheta[0];  /* F33, |x| <= 0.101 */
     const int32_t dtheta_y = dtheta[1];  /* F33, |x| <= 0.101 */
     const int32_t dtheta_z = dtheta[2];  /* F33, |x| <= 0.101 */
@@ -166,103 +143,102 @@ void picard_1_4_fixed32_update(picard_1_4_fixed32_state *state, const int32_t dt
     const int64_t phi_square_3 = phi_square_1 + phi_square_2;  /* F66 */
     const int64_t phi_square_4 = (int64_t)dtheta_z * dtheta_z;  /* F66 */
     const int64_t phi_square_5 = phi_square_3 + phi_square_4;  /* F66 */
-    const int32_t phi_square = round_29(phi_square_5);  /* F37, |x| <= 0.0101 */
+    const int32_t phi_square = round_32(phi_square_5);  /* F34, |x| <= 0.0101 */
 
     /* u = a_c - 1   [cao (9)] */
-    const int64_t u_1 = (int64_t)699051 /* 1/384 */ * phi_square;  /* F65 */
-    const int64_t u_2 = u_1 - INT64_C(4611686018427387904) /* 1/8 */;  /* F65 */
-    const int32_t u_3 = round_32(u_2);  /* F33, |x| <= 0.126 */
+    const int64_t u_1 = (int64_t)699051 /* 1/384 */ * phi_square;  /* F62 */
+    const int64_t u_2 = u_1 - INT64_C(576460752303423488) /* 1/8 */;  /* F62 */
+    const int32_t u_3 = round_32(u_2);  /* F30, |x| <= 0.126 */
 
     /* s = a_s = 1/2 - |phi|^2/48   [cao (9)] */
-    const int64_t s_1 = (int64_t)1398101 /* 1/48 */ * phi_square;  /* F63 */
-    const int64_t s_2 = INT64_C(4611686018427387904) /* 1/2 */ - s_1;  /* F63 */
-    const int32_t s = round_32(s_2);  /* F31, |x| <= 0.501 */
+    const int64_t s_1 = (int64_t)1398101 /* 1/48 */ * phi_square;  /* F60 */
+    const int64_t s_2 = INT64_C(576460752303423488) /* 1/2 */ - s_1;  /* F60 */
+    const int32_t s = round_29(s_2);  /* F31, |x| <= 0.501 */
 
     /* v = s phi   [cao (9)] */
     const int64_t v_x_1 = (int64_t)s * dtheta_x;  /* F64 */
-    const int32_t v_x = round_29(v_x_1);  /* F35, |x| <= 0.0501 */
+    const int32_t v_x = round_32(v_x_1);  /* F32, |x| <= 0.0501 */
     const int64_t v_y_1 = (int64_t)s * dtheta_y;  /* F64 */
-    const int32_t v_y = round_29(v_y_1);  /* F35, |x| <= 0.0501 */
+    const int32_t v_y = round_32(v_y_1);  /* F32, |x| <= 0.0501 */
     const int64_t v_z_1 = (int64_t)s * dtheta_z;  /* F64 */
-    const int32_t v_z = round_29(v_z_1);  /* F35, |x| <= 0.0501 */
+    const int32_t v_z = round_32(v_z_1);  /* F32, |x| <= 0.0501 */
 
     /* u = a_c - 1   [cao (9)] */
-    const int64_t u_4 = (int64_t)phi_square * u_3;  /* F70 */
-    const int32_t u = round_30(u_4);  /* F40, |x| <= 0.00126 */
+    const int64_t u_4 = (int64_t)phi_square * u_3;  /* F64 */
+    const int32_t u = round_32(u_4);  /* F32, |x| <= 0.00126 */
 
     /* a = u + e */
-    const int64_t a_1 = u * INT64_C(2097152);  /* F61 */
+    const int64_t a_1 = u * INT64_C(536870912);  /* F61 */
     const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+
+    /* attitude and input */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+
+    /* a = u + e */
     const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
-    const int64_t a_4 = a_2 - a_3;  /* F61 */
-    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
-    const int64_t a_6 = a_4 - a_5;  /* F61 */
-    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
-    const int64_t a_8 = a_6 - a_7;  /* F61 */
-    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
-    const int64_t a_10 = a_8 - a_9;  /* F61 */
-    const int32_t a = round_24(a_10);  /* F37, |x| <= 0.00517 */
+    const int64_t a_4 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_5 = a_3 + a_4;  /* F61 */
+    const int64_t a_6 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_7 = a_5 + a_6;  /* F61 */
+    const int64_t a_8 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_9 = a_7 + a_8;  /* F61 */
+    const int64_t a_10 = a_2 - a_9;  /* F61 */
+    const int32_t a = round_29(a_10);  /* F32, |x| <= 0.00517 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F67 */
-    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
-    const int64_t dq_w_3 = dq_w_2 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_4 = dq_w_1 - dq_w_3;  /* F67 */
-    const int64_t dq_w_5 = (int64_t)q_y * v_y;  /* F65 */
-    const int64_t dq_w_6 = dq_w_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_7 = dq_w_4 - dq_w_6;  /* F67 */
-    const int64_t dq_w_8 = (int64_t)q_z * v_z;  /* F65 */
-    const int64_t dq_w_9 = dq_w_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_w_10 = dq_w_7 - dq_w_9;  /* F67 */
-    const int32_t dq_w = round_37(dq_w_10);  /* F30, |x| <= 0.0505 */
+    const int32_t q_x_negated = -q_x;  /* F30 */
+    const int32_t q_y_negated = -q_y;  /* F30 */
+    const int32_t q_z_negated = -q_z;  /* F30 */
+    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F62 */
+    const int64_t dq_w_2 = (int64_t)q_x_negated * v_x;  /* F62 */
+    const int64_t dq_w_3 = dq_w_1 + dq_w_2;  /* F62 */
+    const int64_t dq_w_4 = (int64_t)q_y_negated * v_y;  /* F62 */
+    const int64_t dq_w_5 = dq_w_3 + dq_w_4;  /* F62 */
+    const int64_t dq_w_6 = (int64_t)q_z_negated * v_z;  /* F62 */
+    const int64_t dq_w_7 = dq_w_5 + dq_w_6;  /* F62 */
+    const int32_t dq_w = round_32(dq_w_7);  /* F30, |x| <= 0.0505 */
 
     /* q_next = q + dq */
     const int32_t q_next_w = q_w + dq_w;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F65 */
-    const int64_t dq_x_2 = dq_x_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_3 = (int64_t)q_x * a;  /* F67 */
-    const int64_t dq_x_4 = dq_x_2 + dq_x_3;  /* F67 */
-    const int64_t dq_x_5 = (int64_t)q_y * v_z;  /* F65 */
-    const int64_t dq_x_6 = dq_x_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_7 = dq_x_4 + dq_x_6;  /* F67 */
-    const int64_t dq_x_8 = (int64_t)q_z * v_y;  /* F65 */
-    const int64_t dq_x_9 = dq_x_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_x_10 = dq_x_7 - dq_x_9;  /* F67 */
-    const int32_t dq_x = round_37(dq_x_10);  /* F30, |x| <= 0.0505 */
+    const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F62 */
+    const int64_t dq_x_2 = (int64_t)q_x * a;  /* F62 */
+    const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F62 */
+    const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F62 */
+    const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F62 */
+    const int64_t dq_x_6 = (int64_t)q_z_negated * v_y;  /* F62 */
+    const int64_t dq_x_7 = dq_x_5 + dq_x_6;  /* F62 */
+    const int32_t dq_x = round_32(dq_x_7);  /* F30, |x| <= 0.0505 */
 
     /* q_next = q + dq */
     const int32_t q_next_x = q_x + dq_x;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F65 */
-    const int64_t dq_y_2 = dq_y_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_3 = (int64_t)q_y * a;  /* F67 */
-    const int64_t dq_y_4 = dq_y_2 + dq_y_3;  /* F67 */
-    const int64_t dq_y_5 = (int64_t)q_z * v_x;  /* F65 */
-    const int64_t dq_y_6 = dq_y_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_7 = dq_y_4 + dq_y_6;  /* F67 */
-    const int64_t dq_y_8 = (int64_t)q_x * v_z;  /* F65 */
-    const int64_t dq_y_9 = dq_y_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_y_10 = dq_y_7 - dq_y_9;  /* F67 */
-    const int32_t dq_y = round_37(dq_y_10);  /* F30, |x| <= 0.0505 */
+    const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F62 */
+    const int64_t dq_y_2 = (int64_t)q_y * a;  /* F62 */
+    const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F62 */
+    const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F62 */
+    const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F62 */
+    const int64_t dq_y_6 = (int64_t)q_x_negated * v_z;  /* F62 */
+    const int64_t dq_y_7 = dq_y_5 + dq_y_6;  /* F62 */
+    const int32_t dq_y = round_32(dq_y_7);  /* F30, |x| <= 0.0505 */
 
     /* q_next = q + dq */
     const int32_t q_next_y = q_y + dq_y;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F65 */
-    const int64_t dq_z_2 = dq_z_1 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_3 = (int64_t)q_z * a;  /* F67 */
-    const int64_t dq_z_4 = dq_z_2 + dq_z_3;  /* F67 */
-    const int64_t dq_z_5 = (int64_t)q_x * v_y;  /* F65 */
-    const int64_t dq_z_6 = dq_z_5 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_7 = dq_z_4 + dq_z_6;  /* F67 */
-    const int64_t dq_z_8 = (int64_t)q_y * v_x;  /* F65 */
-    const int64_t dq_z_9 = dq_z_8 * INT64_C(4);  /* F67 */
-    const int64_t dq_z_10 = dq_z_7 - dq_z_9;  /* F67 */
-    const int32_t dq_z = round_37(dq_z_10);  /* F30, |x| <= 0.0505 */
+    const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F62 */
+    const int64_t dq_z_2 = (int64_t)q_z * a;  /* F62 */
+    const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F62 */
+    const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F62 */
+    const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F62 */
+    const int64_t dq_z_6 = (int64_t)q_y_negated * v_x;  /* F62 */
+    const int64_t dq_z_7 = dq_z_5 + dq_z_6;  /* F62 */
+    const int32_t dq_z = round_32(dq_z_7);  /* F30, |x| <= 0.0505 */
 
     /* q_next = q + dq */
     const int32_t q_next_z = q_z + dq_z;  /* F30, |x| <= 1.01 */

@@ -25,7 +25,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written      448       0  261       196       0       0     0     0     0       0      0
  * update shared          332      16  203       157       0       0     0     0     0       0      0
- * update emitted         320       0  156       149      11       0     0     0     0       0    272
+ * update emitted         320       0  291        14      13       0     0     0     0       0    272
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

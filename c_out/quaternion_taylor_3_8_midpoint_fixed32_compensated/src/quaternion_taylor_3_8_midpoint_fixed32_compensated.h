@@ -25,7 +25,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written      416       0  260       169       0       0     0     0     0       0      0
  * update shared          268      16  185       145       0       0     0     0     0       0      0
- * update emitted         256       0  148       138      10       0     0     0     0       0    267
+ * update emitted         256       0  263        23      15       0     0     0     0       0    267
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

@@ -23,7 +23,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       33       0   20         7       0       0     0     0     0       0      0
  * update shared           29       4   20         7       0       0     0     0     0       0      0
- * update emitted          29       0   16        11       1       0     0     0     0       0     32
+ * update emitted          29       0   21         6       1       0     0     0     0       0     32
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -104,13 +104,13 @@ void rotation_vector_1_fixed16_set_quaternion(
 
     /* e = (1 - |q|^2)/2 */
     const int32_t e_1 = (int32_t)q_nb_w * q_nb_w;  /* F28 */
-    const int32_t e_2 = 268435456 /* 1/2 */ - e_1;  /* F29 */
-    const int32_t e_3 = (int32_t)q_nb_x * q_nb_x;  /* F28 */
-    const int32_t e_4 = e_2 - e_3;  /* F29 */
-    const int32_t e_5 = (int32_t)q_nb_y * q_nb_y;  /* F28 */
-    const int32_t e_6 = e_4 - e_5;  /* F29 */
-    const int32_t e_7 = (int32_t)q_nb_z * q_nb_z;  /* F28 */
-    const int32_t e_8 = e_6 - e_7;  /* F29 */
+    const int32_t e_2 = (int32_t)q_nb_x * q_nb_x;  /* F28 */
+    const int32_t e_3 = e_1 + e_2;  /* F29 */
+    const int32_t e_4 = (int32_t)q_nb_y * q_nb_y;  /* F28 */
+    const int32_t e_5 = e_3 + e_4;  /* F29 */
+    const int32_t e_6 = (int32_t)q_nb_z * q_nb_z;  /* F28 */
+    const int32_t e_7 = e_5 + e_6;  /* F29 */
+    const int32_t e_8 = 268435456 /* 1/2 */ - e_7;  /* F29 */
     const int16_t e = round_5(e_8);  /* F24, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -145,10 +145,6 @@ void rotation_vector_1_fixed16_set_quaternion(
 void rotation_vector_1_fixed16_update(rotation_vector_1_fixed16_state *state, const int16_t dtheta[3])
 {
     /* attitude and input */
-    const int16_t q_w = state->q[0];  /* F14, |x| <= 1.01 */
-    const int16_t q_x = state->q[1];  /* F14, |x| <= 1.01 */
-    const int16_t q_y = state->q[2];  /* F14, |x| <= 1.01 */
-    const int16_t q_z = state->q[3];  /* F14, |x| <= 1.01 */
     const int16_t dtheta_x = dtheta[0];  /* F17, |x| <= 0.101 */
     const int16_t dtheta_y = dtheta[1];  /* F17, |x| <= 0.101 */
     const int16_t dtheta_z = dtheta[2];  /* F17, |x| <= 0.101 */
@@ -206,27 +202,35 @@ void rotation_vector_1_fixed16_update(rotation_vector_1_fixed16_state *state, co
     /* a = u + e */
     const int32_t a_1 = (int32_t)u * 32;  /* F29 */
     const int32_t a_2 = a_1 + 268435456 /* 1/2 */;  /* F29 */
+
+    /* attitude and input */
+    const int16_t q_w = state->q[0];  /* F14, |x| <= 1.01 */
+    const int16_t q_x = state->q[1];  /* F14, |x| <= 1.01 */
+    const int16_t q_y = state->q[2];  /* F14, |x| <= 1.01 */
+    const int16_t q_z = state->q[3];  /* F14, |x| <= 1.01 */
+
+    /* a = u + e */
     const int32_t a_3 = (int32_t)q_w * q_w;  /* F28 */
-    const int32_t a_4 = a_2 - a_3;  /* F29 */
-    const int32_t a_5 = (int32_t)q_x * q_x;  /* F28 */
-    const int32_t a_6 = a_4 - a_5;  /* F29 */
-    const int32_t a_7 = (int32_t)q_y * q_y;  /* F28 */
-    const int32_t a_8 = a_6 - a_7;  /* F29 */
-    const int32_t a_9 = (int32_t)q_z * q_z;  /* F28 */
-    const int32_t a_10 = a_8 - a_9;  /* F29 */
+    const int32_t a_4 = (int32_t)q_x * q_x;  /* F28 */
+    const int32_t a_5 = a_3 + a_4;  /* F29 */
+    const int32_t a_6 = (int32_t)q_y * q_y;  /* F28 */
+    const int32_t a_7 = a_5 + a_6;  /* F29 */
+    const int32_t a_8 = (int32_t)q_z * q_z;  /* F28 */
+    const int32_t a_9 = a_7 + a_8;  /* F29 */
+    const int32_t a_10 = a_2 - a_9;  /* F29 */
     const int16_t a = round_8(a_10);  /* F21, |x| <= 0.00517 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int32_t dq_w_1 = (int32_t)q_w * a;  /* F35 */
     const int32_t dq_w_2 = (int32_t)q_x * v_x;  /* F33 */
     const int32_t dq_w_3 = dq_w_2 * 4;  /* F35 */
-    const int32_t dq_w_4 = dq_w_1 - dq_w_3;  /* F35 */
-    const int32_t dq_w_5 = (int32_t)q_y * v_y;  /* F33 */
-    const int32_t dq_w_6 = dq_w_5 * 4;  /* F35 */
-    const int32_t dq_w_7 = dq_w_4 - dq_w_6;  /* F35 */
-    const int32_t dq_w_8 = (int32_t)q_z * v_z;  /* F33 */
-    const int32_t dq_w_9 = dq_w_8 * 4;  /* F35 */
-    const int32_t dq_w_10 = dq_w_7 - dq_w_9;  /* F35 */
+    const int32_t dq_w_4 = (int32_t)q_y * v_y;  /* F33 */
+    const int32_t dq_w_5 = dq_w_4 * 4;  /* F35 */
+    const int32_t dq_w_6 = dq_w_3 + dq_w_5;  /* F35 */
+    const int32_t dq_w_7 = (int32_t)q_z * v_z;  /* F33 */
+    const int32_t dq_w_8 = dq_w_7 * 4;  /* F35 */
+    const int32_t dq_w_9 = dq_w_6 + dq_w_8;  /* F35 */
+    const int32_t dq_w_10 = dq_w_1 - dq_w_9;  /* F35 */
     const int16_t dq_w = round_21(dq_w_10);  /* F14, |x| <= 0.0506 */
 
     /* q_next = q + dq */

@@ -23,7 +23,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       33       0   20         7       0       0     0     0     0       0      0
  * update shared           29       4   20         7       0       0     0     0     0       0      0
- * update emitted          29       0   16        11       1       0     0     0     0       0     32
+ * update emitted          29       0   21         6       1       0     0     0     0       0     32
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

@@ -17,18 +17,18 @@
  *              as is proved; beyond it nothing is promised: clamp inputs that can be so large
  * truncation:  minimax polynomials of degree 3 (cos) and 2 (sin) in |phi|^2; error of r at most
  *              9.1e-17 (scalar), 6.6e-14 (vector), proved over the rationals
- * rounding:    one update is within 1.3e-09 of exact arithmetic, in the norm of the components;
+ * rounding:    one update is within 1.7e-09 of exact arithmetic, in the norm of the components;
  *              proved
- * high words:  4 of 14 rounded sums of products drop a whole word, 1 before formats were searched
- *              for that; of one update's errors in the first order it made 2.1e-09 of 2e-09
+ * high words:  8 of 14 rounded sums of products drop a whole word, 1 before formats were searched
+ *              for that; of one update's errors in the first order it made 2.7e-09 of 2e-09
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       35       0   22         7       0       0     0     0     0       0      0
  * update shared           31       4   22         7       0       0     0     0     0       0      0
- * update emitted          31       0   16        13       0       0     0     0     0       0     18
+ * update emitted          31       0   25         4       3       0     0     0     0       0     18
  * dcm as-written           9       0    9         6       0       0     0     0     0       0      0
  * dcm shared               9       0    9         6       0       0     0     0     0       0      0
- * dcm emitted              9       0    3         9       0       0     0     0     0       0     15
+ * dcm emitted              9       0    6         6       0       0     0     0     0       0     15
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -61,17 +61,10 @@ static inline int32_t round_21(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^23, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_23(int64_t x)
+/* x / 2^27, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_27(int64_t x)
 {
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(4194304)) >> 23);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
-/* x / 2^26, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_26(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(33554432)) >> 26);
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(67108864)) >> 27);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -96,16 +89,10 @@ static inline int32_t round_32(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^35, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_35(int64_t x)
+/* x / 2^34, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_34(int64_t x)
 {
-    return (int32_t)shift_right_64(x + INT64_C(17179869184), 35);
-}
-
-/* x / 2^39, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_39(int64_t x)
-{
-    return (int32_t)shift_right_64(x + INT64_C(274877906944), 39);
+    return (int32_t)shift_right_64(x + INT64_C(8589934592), 34);
 }
 
 /* x / 2^40, rounded to nearest, halves up; the result fits 32 bits. */
@@ -139,13 +126,13 @@ void rotation_vector_1_fixed32_set_quaternion(
 
     /* e = (1 - |q|^2)/2 */
     const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
-    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
-    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
-    const int64_t e_4 = e_2 - e_3;  /* F61 */
-    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
-    const int64_t e_6 = e_4 - e_5;  /* F61 */
-    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
-    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int64_t e_2 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_3 = e_1 + e_2;  /* F61 */
+    const int64_t e_4 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_5 = e_3 + e_4;  /* F61 */
+    const int64_t e_6 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_7 = e_5 + e_6;  /* F61 */
+    const int64_t e_8 = INT64_C(1152921504606846976) /* 1/2 */ - e_7;  /* F61 */
     const int32_t e = round_21(e_8);  /* F40, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -176,10 +163,6 @@ void rotation_vector_1_fixed32_set_quaternion(
 void rotation_vector_1_fixed32_update(rotation_vector_1_fixed32_state *state, const int32_t dtheta[3])
 {
     /* attitude and input */
-    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
-    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
-    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
-    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
     const int32_t dtheta_x = dtheta[0];  /* F33, |x| <= 0.101 */
     const int32_t dtheta_y = dtheta[1];  /* F33, |x| <= 0.101 */
     const int32_t dtheta_z = dtheta[2];  /* F33, |x| <= 0.101 */
@@ -205,31 +188,31 @@ void rotation_vector_1_fixed32_update(rotation_vector_1_fixed32_state *state, co
     const int64_t y_2 = y_1 - INT64_C(96076791419721232) /* 3172865/152297521 */;  /* F62 */
     const int32_t y_3 = round_32(y_2);  /* F30, |x| <= 0.0209 */
     const int64_t y_4 = (int64_t)phi_square * y_3;  /* F64 */
-    const int32_t y = round_23(y_4);  /* F41, |x| <= 0.000209 */
+    const int32_t y = round_32(y_4);  /* F32, |x| <= 0.000209 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_x_1 = (int64_t)y * dtheta_x;  /* F74 */
-    const int32_t bent_x = round_39(bent_x_1);  /* F35, |x| <= 2.09e-05 */
+    const int64_t bent_x_1 = (int64_t)y * dtheta_x;  /* F65 */
+    const int32_t bent_x = round_32(bent_x_1);  /* F33, |x| <= 2.09e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int32_t v_x_1 = dtheta_x * 2;  /* F35 */
-    const int32_t v_x = v_x_1 + bent_x;  /* F35, |x| <= 0.0501 */
+    const int32_t v_x_1 = bent_x * 2;  /* F34 */
+    const int32_t v_x = dtheta_x + v_x_1;  /* F34, |x| <= 0.0501 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_y_1 = (int64_t)y * dtheta_y;  /* F74 */
-    const int32_t bent_y = round_39(bent_y_1);  /* F35, |x| <= 2.09e-05 */
+    const int64_t bent_y_1 = (int64_t)y * dtheta_y;  /* F65 */
+    const int32_t bent_y = round_32(bent_y_1);  /* F33, |x| <= 2.09e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int32_t v_y_1 = dtheta_y * 2;  /* F35 */
-    const int32_t v_y = v_y_1 + bent_y;  /* F35, |x| <= 0.0501 */
+    const int32_t v_y_1 = bent_y * 2;  /* F34 */
+    const int32_t v_y = dtheta_y + v_y_1;  /* F34, |x| <= 0.0501 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_z_1 = (int64_t)y * dtheta_z;  /* F74 */
-    const int32_t bent_z = round_39(bent_z_1);  /* F35, |x| <= 2.09e-05 */
+    const int64_t bent_z_1 = (int64_t)y * dtheta_z;  /* F65 */
+    const int32_t bent_z = round_32(bent_z_1);  /* F33, |x| <= 2.09e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int32_t v_z_1 = dtheta_z * 2;  /* F35 */
-    const int32_t v_z = v_z_1 + bent_z;  /* F35, |x| <= 0.0501 */
+    const int32_t v_z_1 = bent_z * 2;  /* F34 */
+    const int32_t v_z = dtheta_z + v_z_1;  /* F34, |x| <= 0.0501 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
     const int64_t u_7 = (int64_t)phi_square * u_6;  /* F64 */
@@ -238,64 +221,75 @@ void rotation_vector_1_fixed32_update(rotation_vector_1_fixed32_state *state, co
     /* a = u + e */
     const int64_t a_1 = u * INT64_C(536870912);  /* F61 */
     const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+
+    /* attitude and input */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+
+    /* a = u + e */
     const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
-    const int64_t a_4 = a_2 - a_3;  /* F61 */
-    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
-    const int64_t a_6 = a_4 - a_5;  /* F61 */
-    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
-    const int64_t a_8 = a_6 - a_7;  /* F61 */
-    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
-    const int64_t a_10 = a_8 - a_9;  /* F61 */
-    const int32_t a = round_26(a_10);  /* F35, |x| <= 0.00517 */
+    const int64_t a_4 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_5 = a_3 + a_4;  /* F61 */
+    const int64_t a_6 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_7 = a_5 + a_6;  /* F61 */
+    const int64_t a_8 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_9 = a_7 + a_8;  /* F61 */
+    const int64_t a_10 = a_2 - a_9;  /* F61 */
+    const int32_t a = round_27(a_10);  /* F34, |x| <= 0.00517 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F65 */
-    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
-    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F65 */
-    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F65 */
-    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F65 */
-    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F65 */
-    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F65 */
-    const int32_t dq_w = round_35(dq_w_7);  /* F30, |x| <= 0.0505 */
+    const int32_t q_x_negated = -q_x;  /* F30 */
+    const int32_t q_y_negated = -q_y;  /* F30 */
+    const int32_t q_z_negated = -q_z;  /* F30 */
+    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F64 */
+    const int64_t dq_w_2 = (int64_t)q_x_negated * v_x;  /* F64 */
+    const int64_t dq_w_3 = dq_w_1 + dq_w_2;  /* F64 */
+    const int64_t dq_w_4 = (int64_t)q_y_negated * v_y;  /* F64 */
+    const int64_t dq_w_5 = dq_w_3 + dq_w_4;  /* F64 */
+    const int64_t dq_w_6 = (int64_t)q_z_negated * v_z;  /* F64 */
+    const int64_t dq_w_7 = dq_w_5 + dq_w_6;  /* F64 */
+    const int32_t dq_w = round_34(dq_w_7);  /* F30, |x| <= 0.0505 */
 
     /* q_next = q + dq */
     const int32_t q_next_w = q_w + dq_w;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F65 */
-    const int64_t dq_x_2 = (int64_t)q_x * a;  /* F65 */
-    const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F65 */
-    const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F65 */
-    const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F65 */
-    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F65 */
-    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F65 */
-    const int32_t dq_x = round_35(dq_x_7);  /* F30, |x| <= 0.0505 */
+    const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F64 */
+    const int64_t dq_x_2 = (int64_t)q_x * a;  /* F64 */
+    const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F64 */
+    const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F64 */
+    const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F64 */
+    const int64_t dq_x_6 = (int64_t)q_z_negated * v_y;  /* F64 */
+    const int64_t dq_x_7 = dq_x_5 + dq_x_6;  /* F64 */
+    const int32_t dq_x = round_34(dq_x_7);  /* F30, |x| <= 0.0505 */
 
     /* q_next = q + dq */
     const int32_t q_next_x = q_x + dq_x;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F65 */
-    const int64_t dq_y_2 = (int64_t)q_y * a;  /* F65 */
-    const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F65 */
-    const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F65 */
-    const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F65 */
-    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F65 */
-    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F65 */
-    const int32_t dq_y = round_35(dq_y_7);  /* F30, |x| <= 0.0505 */
+    const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F64 */
+    const int64_t dq_y_2 = (int64_t)q_y * a;  /* F64 */
+    const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F64 */
+    const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F64 */
+    const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F64 */
+    const int64_t dq_y_6 = (int64_t)q_x_negated * v_z;  /* F64 */
+    const int64_t dq_y_7 = dq_y_5 + dq_y_6;  /* F64 */
+    const int32_t dq_y = round_34(dq_y_7);  /* F30, |x| <= 0.0505 */
 
     /* q_next = q + dq */
     const int32_t q_next_y = q_y + dq_y;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F65 */
-    const int64_t dq_z_2 = (int64_t)q_z * a;  /* F65 */
-    const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F65 */
-    const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F65 */
-    const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F65 */
-    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F65 */
-    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F65 */
-    const int32_t dq_z = round_35(dq_z_7);  /* F30, |x| <= 0.0505 */
+    const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F64 */
+    const int64_t dq_z_2 = (int64_t)q_z * a;  /* F64 */
+    const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F64 */
+    const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F64 */
+    const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F64 */
+    const int64_t dq_z_6 = (int64_t)q_y_negated * v_x;  /* F64 */
+    const int64_t dq_z_7 = dq_z_5 + dq_z_6;  /* F64 */
+    const int32_t dq_z = round_34(dq_z_7);  /* F30, |x| <= 0.0505 */
 
     /* q_next = q + dq */
     const int32_t q_next_z = q_z + dq_z;  /* F30, |x| <= 1.01 */
@@ -351,9 +345,9 @@ void rotation_vector_1_fixed32_dcm(const rotation_vector_1_fixed32_state *state,
 
     /* c_nb = C_nb(q)   [cao (15)] */
     const int64_t c_nb_11_1 = yy * INT64_C(2);  /* F30 */
-    const int64_t c_nb_11_2 = INT64_C(1073741824) /* 1 */ - c_nb_11_1;  /* F30 */
-    const int64_t c_nb_11_3 = zz * INT64_C(2);  /* F30 */
-    const int64_t c_nb_11_4 = c_nb_11_2 - c_nb_11_3;  /* F30 */
+    const int64_t c_nb_11_2 = zz * INT64_C(2);  /* F30 */
+    const int64_t c_nb_11_3 = c_nb_11_1 + c_nb_11_2;  /* F30 */
+    const int64_t c_nb_11_4 = INT64_C(1073741824) /* 1 */ - c_nb_11_3;  /* F30 */
     const int32_t c_nb_11 = (int32_t)c_nb_11_4;  /* F30, |x| <= 1.02 */
     const int64_t c_nb_12_1 = (int64_t)xy - wz;  /* F30 */
     const int32_t c_nb_12 = (int32_t)c_nb_12_1;  /* F30, |x| <= 1.02 */
@@ -362,9 +356,9 @@ void rotation_vector_1_fixed32_dcm(const rotation_vector_1_fixed32_state *state,
     const int64_t c_nb_21_1 = (int64_t)xy + wz;  /* F30 */
     const int32_t c_nb_21 = (int32_t)c_nb_21_1;  /* F30, |x| <= 1.02 */
     const int64_t c_nb_22_1 = xx * INT64_C(2);  /* F30 */
-    const int64_t c_nb_22_2 = INT64_C(1073741824) /* 1 */ - c_nb_22_1;  /* F30 */
-    const int64_t c_nb_22_3 = zz * INT64_C(2);  /* F30 */
-    const int64_t c_nb_22_4 = c_nb_22_2 - c_nb_22_3;  /* F30 */
+    const int64_t c_nb_22_2 = zz * INT64_C(2);  /* F30 */
+    const int64_t c_nb_22_3 = c_nb_22_1 + c_nb_22_2;  /* F30 */
+    const int64_t c_nb_22_4 = INT64_C(1073741824) /* 1 */ - c_nb_22_3;  /* F30 */
     const int32_t c_nb_22 = (int32_t)c_nb_22_4;  /* F30, |x| <= 1.02 */
     const int64_t c_nb_23_1 = (int64_t)yz - wx;  /* F30 */
     const int32_t c_nb_23 = (int32_t)c_nb_23_1;  /* F30, |x| <= 1.02 */
@@ -373,9 +367,9 @@ void rotation_vector_1_fixed32_dcm(const rotation_vector_1_fixed32_state *state,
     const int64_t c_nb_32_1 = (int64_t)yz + wx;  /* F30 */
     const int32_t c_nb_32 = (int32_t)c_nb_32_1;  /* F30, |x| <= 1.02 */
     const int64_t c_nb_33_1 = xx * INT64_C(2);  /* F30 */
-    const int64_t c_nb_33_2 = INT64_C(1073741824) /* 1 */ - c_nb_33_1;  /* F30 */
-    const int64_t c_nb_33_3 = yy * INT64_C(2);  /* F30 */
-    const int64_t c_nb_33_4 = c_nb_33_2 - c_nb_33_3;  /* F30 */
+    const int64_t c_nb_33_2 = yy * INT64_C(2);  /* F30 */
+    const int64_t c_nb_33_3 = c_nb_33_1 + c_nb_33_2;  /* F30 */
+    const int64_t c_nb_33_4 = INT64_C(1073741824) /* 1 */ - c_nb_33_3;  /* F30 */
     const int32_t c_nb_33 = (int32_t)c_nb_33_4;  /* F30, |x| <= 1.02 */
 
     c_nb[0] = c_nb_11;

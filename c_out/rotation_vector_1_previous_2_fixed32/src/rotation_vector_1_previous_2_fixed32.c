@@ -25,10 +25,10 @@
  * operations          multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * start_up as-written       33       0   20         7       0       0     0     0     0       0      0
  * start_up shared           29       4   20         7       0       0     0     0     0       0      0
- * start_up emitted          29       0   16        11       1       0     0     0     0       0     19
+ * start_up emitted          29       0   25         2       4       0     0     0     0       0     19
  * steady as-written         45       0   26        10       0       0     0     0     0       0      0
  * steady shared             41       4   26        10       0       0     0     0     0       0      0
- * steady emitted            41       0   19        17       1       0     0     0     0       0     25
+ * steady emitted            41       0   28         8       4       0     0     0     0       0     25
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -138,13 +138,13 @@ void rotation_vector_1_previous_2_fixed32_set_quaternion(
 
     /* e = (1 - |q|^2)/2 */
     const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
-    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
-    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
-    const int64_t e_4 = e_2 - e_3;  /* F61 */
-    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
-    const int64_t e_6 = e_4 - e_5;  /* F61 */
-    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
-    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int64_t e_2 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_3 = e_1 + e_2;  /* F61 */
+    const int64_t e_4 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_5 = e_3 + e_4;  /* F61 */
+    const int64_t e_6 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_7 = e_5 + e_6;  /* F61 */
+    const int64_t e_8 = INT64_C(1152921504606846976) /* 1/2 */ - e_7;  /* F61 */
     const int32_t e = round_21(e_8);  /* F40, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -183,18 +183,9 @@ static void rotation_vector_1_previous_2_fixed32_start_up(
     rotation_vector_1_previous_2_fixed32_state *state, const int32_t dtheta[3])
 {
     /* attitude and input */
-    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
-    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
-    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
-    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
     const int32_t dtheta_x = dtheta[0];  /* F35, |x| <= 0.0251 */
     const int32_t dtheta_y = dtheta[1];  /* F35, |x| <= 0.0251 */
     const int32_t dtheta_z = dtheta[2];  /* F35, |x| <= 0.0251 */
-
-    /* earlier angle increments, newest first, rad, sensor axes */
-    const int32_t previous1_x = state->previous[0];  /* F35, |x| <= 0.0251 */
-    const int32_t previous1_y = state->previous[1];  /* F35, |x| <= 0.0251 */
-    const int32_t previous1_z = state->previous[2];  /* F35, |x| <= 0.0251 */
 
     /* phi_square = |phi|^2 */
     const int64_t phi_square_1 = (int64_t)dtheta_x * dtheta_x;  /* F70 */
@@ -248,24 +239,35 @@ static void rotation_vector_1_previous_2_fixed32_start_up(
     /* a = u + e */
     const int64_t a_1 = u * INT64_C(67108864);  /* F61 */
     const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+
+    /* attitude and input */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+
+    /* a = u + e */
     const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
-    const int64_t a_4 = a_2 - a_3;  /* F61 */
-    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
-    const int64_t a_6 = a_4 - a_5;  /* F61 */
-    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
-    const int64_t a_8 = a_6 - a_7;  /* F61 */
-    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
-    const int64_t a_10 = a_8 - a_9;  /* F61 */
+    const int64_t a_4 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_5 = a_3 + a_4;  /* F61 */
+    const int64_t a_6 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_7 = a_5 + a_6;  /* F61 */
+    const int64_t a_8 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_9 = a_7 + a_8;  /* F61 */
+    const int64_t a_10 = a_2 - a_9;  /* F61 */
     const int32_t a = round_24(a_10);  /* F37, |x| <= 0.000323 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
+    const int32_t q_x_negated = -q_x;  /* F30 */
+    const int32_t q_y_negated = -q_y;  /* F30 */
+    const int32_t q_z_negated = -q_z;  /* F30 */
     const int64_t dq_w_1 = (int64_t)q_w * a;  /* F67 */
-    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F67 */
-    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F67 */
-    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F67 */
-    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F67 */
-    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F67 */
-    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F67 */
+    const int64_t dq_w_2 = (int64_t)q_x_negated * v_x;  /* F67 */
+    const int64_t dq_w_3 = dq_w_1 + dq_w_2;  /* F67 */
+    const int64_t dq_w_4 = (int64_t)q_y_negated * v_y;  /* F67 */
+    const int64_t dq_w_5 = dq_w_3 + dq_w_4;  /* F67 */
+    const int64_t dq_w_6 = (int64_t)q_z_negated * v_z;  /* F67 */
+    const int64_t dq_w_7 = dq_w_5 + dq_w_6;  /* F67 */
     const int32_t dq_w = round_37(dq_w_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
@@ -277,8 +279,8 @@ static void rotation_vector_1_previous_2_fixed32_start_up(
     const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F67 */
     const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F67 */
     const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F67 */
-    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F67 */
-    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F67 */
+    const int64_t dq_x_6 = (int64_t)q_z_negated * v_y;  /* F67 */
+    const int64_t dq_x_7 = dq_x_5 + dq_x_6;  /* F67 */
     const int32_t dq_x = round_37(dq_x_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
@@ -290,8 +292,8 @@ static void rotation_vector_1_previous_2_fixed32_start_up(
     const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F67 */
     const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F67 */
     const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F67 */
-    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F67 */
-    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F67 */
+    const int64_t dq_y_6 = (int64_t)q_x_negated * v_z;  /* F67 */
+    const int64_t dq_y_7 = dq_y_5 + dq_y_6;  /* F67 */
     const int32_t dq_y = round_37(dq_y_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
@@ -303,8 +305,8 @@ static void rotation_vector_1_previous_2_fixed32_start_up(
     const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F67 */
     const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F67 */
     const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F67 */
-    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F67 */
-    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F67 */
+    const int64_t dq_z_6 = (int64_t)q_y_negated * v_x;  /* F67 */
+    const int64_t dq_z_7 = dq_z_5 + dq_z_6;  /* F67 */
     const int32_t dq_z = round_37(dq_z_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
@@ -315,6 +317,13 @@ static void rotation_vector_1_previous_2_fixed32_start_up(
     state->q[1] = q_next_x;
     state->q[2] = q_next_y;
     state->q[3] = q_next_z;
+
+    /* earlier angle increments, newest first, rad, sensor axes */
+    const int32_t previous1_x = state->previous[0];  /* F35, |x| <= 0.0251 */
+    const int32_t previous1_y = state->previous[1];  /* F35, |x| <= 0.0251 */
+    const int32_t previous1_z = state->previous[2];  /* F35, |x| <= 0.0251 */
+
+    /* store */
     state->previous[0] = dtheta_x;
     state->previous[1] = dtheta_y;
     state->previous[2] = dtheta_z;
@@ -328,10 +337,6 @@ static void rotation_vector_1_previous_2_fixed32_steady(
     rotation_vector_1_previous_2_fixed32_state *state, const int32_t dtheta[3])
 {
     /* attitude and input */
-    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
-    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
-    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
-    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
     const int32_t dtheta_x = dtheta[0];  /* F35, |x| <= 0.0251 */
     const int32_t dtheta_y = dtheta[1];  /* F35, |x| <= 0.0251 */
     const int32_t dtheta_z = dtheta[2];  /* F35, |x| <= 0.0251 */
@@ -437,24 +442,35 @@ static void rotation_vector_1_previous_2_fixed32_steady(
     /* a = u + e */
     const int64_t a_1 = u * INT64_C(4194304);  /* F61 */
     const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+
+    /* attitude and input */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+
+    /* a = u + e */
     const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
-    const int64_t a_4 = a_2 - a_3;  /* F61 */
-    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
-    const int64_t a_6 = a_4 - a_5;  /* F61 */
-    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
-    const int64_t a_8 = a_6 - a_7;  /* F61 */
-    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
-    const int64_t a_10 = a_8 - a_9;  /* F61 */
+    const int64_t a_4 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_5 = a_3 + a_4;  /* F61 */
+    const int64_t a_6 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_7 = a_5 + a_6;  /* F61 */
+    const int64_t a_8 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_9 = a_7 + a_8;  /* F61 */
+    const int64_t a_10 = a_2 - a_9;  /* F61 */
     const int32_t a = round_24(a_10);  /* F37, |x| <= 0.000323 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
+    const int32_t q_x_negated = -q_x;  /* F30 */
+    const int32_t q_y_negated = -q_y;  /* F30 */
+    const int32_t q_z_negated = -q_z;  /* F30 */
     const int64_t dq_w_1 = (int64_t)q_w * a;  /* F67 */
-    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F67 */
-    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F67 */
-    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F67 */
-    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F67 */
-    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F67 */
-    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F67 */
+    const int64_t dq_w_2 = (int64_t)q_x_negated * v_x;  /* F67 */
+    const int64_t dq_w_3 = dq_w_1 + dq_w_2;  /* F67 */
+    const int64_t dq_w_4 = (int64_t)q_y_negated * v_y;  /* F67 */
+    const int64_t dq_w_5 = dq_w_3 + dq_w_4;  /* F67 */
+    const int64_t dq_w_6 = (int64_t)q_z_negated * v_z;  /* F67 */
+    const int64_t dq_w_7 = dq_w_5 + dq_w_6;  /* F67 */
     const int32_t dq_w = round_37(dq_w_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
@@ -466,8 +482,8 @@ static void rotation_vector_1_previous_2_fixed32_steady(
     const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F67 */
     const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F67 */
     const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F67 */
-    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F67 */
-    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F67 */
+    const int64_t dq_x_6 = (int64_t)q_z_negated * v_y;  /* F67 */
+    const int64_t dq_x_7 = dq_x_5 + dq_x_6;  /* F67 */
     const int32_t dq_x = round_37(dq_x_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
@@ -479,8 +495,8 @@ static void rotation_vector_1_previous_2_fixed32_steady(
     const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F67 */
     const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F67 */
     const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F67 */
-    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F67 */
-    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F67 */
+    const int64_t dq_y_6 = (int64_t)q_x_negated * v_z;  /* F67 */
+    const int64_t dq_y_7 = dq_y_5 + dq_y_6;  /* F67 */
     const int32_t dq_y = round_37(dq_y_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */
@@ -492,8 +508,8 @@ static void rotation_vector_1_previous_2_fixed32_steady(
     const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F67 */
     const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F67 */
     const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F67 */
-    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F67 */
-    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F67 */
+    const int64_t dq_z_6 = (int64_t)q_y_negated * v_x;  /* F67 */
+    const int64_t dq_z_7 = dq_z_5 + dq_z_6;  /* F67 */
     const int32_t dq_z = round_37(dq_z_7);  /* F30, |x| <= 0.0126 */
 
     /* q_next = q + dq */

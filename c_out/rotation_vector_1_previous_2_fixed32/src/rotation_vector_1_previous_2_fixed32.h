@@ -25,10 +25,10 @@
  * operations          multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * start_up as-written       33       0   20         7       0       0     0     0     0       0      0
  * start_up shared           29       4   20         7       0       0     0     0     0       0      0
- * start_up emitted          29       0   16        11       1       0     0     0     0       0     19
+ * start_up emitted          29       0   25         2       4       0     0     0     0       0     19
  * steady as-written         45       0   26        10       0       0     0     0     0       0      0
  * steady shared             41       4   26        10       0       0     0     0     0       0      0
- * steady emitted            41       0   19        17       1       0     0     0     0       0     25
+ * steady emitted            41       0   28         8       4       0     0     0     0       0     25
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

@@ -19,13 +19,13 @@
  *              2.5e-15 (scalar), 7.5e-14 (vector), proved over the rationals
  * rounding:    one update is within 1.2e-09 of exact arithmetic, in the norm of the components;
  *              proved
- * high words:  4 of 20 rounded sums of products drop a whole word, 1 before formats were searched
- *              for that; of one update's errors in the first order it made 2.2e-09 of 2.2e-09
+ * high words:  8 of 20 rounded sums of products drop a whole word, 1 before formats were searched
+ *              for that; of one update's errors in the first order it made 2.3e-09 of 2.2e-09
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       44       0   28        13       0       0     0     0     0       0      0
  * update shared           40       4   28        13       0       0     0     0     0       0      0
- * update emitted          40       0   22        19       0       0     0     0     0       0     21
+ * update emitted          40       0   31        10       3       0     0     0     0       0     21
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -72,13 +72,6 @@ static inline int32_t round_30(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^31, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_31(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1073741824)) >> 31);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
 /* x / 2^32, rounded to nearest, halves up; the result fits 32 bits. */
 static inline int32_t round_32(int64_t x)
 {
@@ -86,16 +79,16 @@ static inline int32_t round_32(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
+/* x / 2^34, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_34(int64_t x)
+{
+    return (int32_t)shift_right_64(x + INT64_C(8589934592), 34);
+}
+
 /* x / 2^35, rounded to nearest, halves up; the result fits 32 bits. */
 static inline int32_t round_35(int64_t x)
 {
     return (int32_t)shift_right_64(x + INT64_C(17179869184), 35);
-}
-
-/* x / 2^36, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_36(int64_t x)
-{
-    return (int32_t)shift_right_64(x + INT64_C(34359738368), 36);
 }
 
 /* x / 2^42, rounded to nearest, halves up; the result fits 32 bits. */
@@ -129,13 +122,13 @@ void rotation_vector_2_coning_fixed32_set_quaternion(
 
     /* e = (1 - |q|^2)/2 */
     const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
-    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
-    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
-    const int64_t e_4 = e_2 - e_3;  /* F61 */
-    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
-    const int64_t e_6 = e_4 - e_5;  /* F61 */
-    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
-    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int64_t e_2 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_3 = e_1 + e_2;  /* F61 */
+    const int64_t e_4 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_5 = e_3 + e_4;  /* F61 */
+    const int64_t e_6 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_7 = e_5 + e_6;  /* F61 */
+    const int64_t e_8 = INT64_C(1152921504606846976) /* 1/2 */ - e_7;  /* F61 */
     const int32_t e = round_21(e_8);  /* F40, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -167,10 +160,6 @@ void rotation_vector_2_coning_fixed32_update(
     rotation_vector_2_coning_fixed32_state *state, const int32_t dtheta[6])
 {
     /* attitude and input */
-    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
-    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
-    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
-    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
     const int32_t dtheta1_x = dtheta[0];  /* F34, |x| <= 0.0501 */
     const int32_t dtheta1_y = dtheta[1];  /* F34, |x| <= 0.0501 */
     const int32_t dtheta1_z = dtheta[2];  /* F34, |x| <= 0.0501 */
@@ -190,35 +179,35 @@ void rotation_vector_2_coning_fixed32_update(
 
     /* k = 1/3 d   [cao (12)] */
     const int64_t k_x_1 = (int64_t)1431655765 /* 1/3 */ * d_x;  /* F66 */
-    const int32_t k_x = round_31(k_x_1);  /* F35, |x| <= 0.0334 */
+    const int32_t k_x = round_32(k_x_1);  /* F34, |x| <= 0.0334 */
     const int64_t k_y_1 = (int64_t)1431655765 /* 1/3 */ * d_y;  /* F66 */
-    const int32_t k_y = round_31(k_y_1);  /* F35, |x| <= 0.0334 */
+    const int32_t k_y = round_32(k_y_1);  /* F34, |x| <= 0.0334 */
     const int64_t k_z_1 = (int64_t)1431655765 /* 1/3 */ * d_z;  /* F66 */
-    const int32_t k_z = round_31(k_z_1);  /* F35, |x| <= 0.0334 */
+    const int32_t k_z = round_32(k_z_1);  /* F34, |x| <= 0.0334 */
 
     /* coning = S x k   [cao (12)] */
-    const int64_t coning_x_1 = (int64_t)p_y * k_z;  /* F69 */
-    const int64_t coning_x_2 = (int64_t)p_z * k_y;  /* F69 */
-    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F69 */
-    const int32_t coning_x = round_35(coning_x_3);  /* F34, |x| <= 0.00334 */
+    const int64_t coning_x_1 = (int64_t)p_y * k_z;  /* F68 */
+    const int64_t coning_x_2 = (int64_t)p_z * k_y;  /* F68 */
+    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F68 */
+    const int32_t coning_x = round_34(coning_x_3);  /* F34, |x| <= 0.00334 */
 
     /* phi = S + coning   [cao (12)] */
     const int32_t phi_x = p_x + coning_x;  /* F34, |x| <= 0.102 */
 
     /* coning = S x k   [cao (12)] */
-    const int64_t coning_y_1 = (int64_t)p_z * k_x;  /* F69 */
-    const int64_t coning_y_2 = (int64_t)p_x * k_z;  /* F69 */
-    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F69 */
-    const int32_t coning_y = round_35(coning_y_3);  /* F34, |x| <= 0.00334 */
+    const int64_t coning_y_1 = (int64_t)p_z * k_x;  /* F68 */
+    const int64_t coning_y_2 = (int64_t)p_x * k_z;  /* F68 */
+    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F68 */
+    const int32_t coning_y = round_34(coning_y_3);  /* F34, |x| <= 0.00334 */
 
     /* phi = S + coning   [cao (12)] */
     const int32_t phi_y = p_y + coning_y;  /* F34, |x| <= 0.102 */
 
     /* coning = S x k   [cao (12)] */
-    const int64_t coning_z_1 = (int64_t)p_x * k_y;  /* F69 */
-    const int64_t coning_z_2 = (int64_t)p_y * k_x;  /* F69 */
-    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F69 */
-    const int32_t coning_z = round_35(coning_z_3);  /* F34, |x| <= 0.00334 */
+    const int64_t coning_z_1 = (int64_t)p_x * k_y;  /* F68 */
+    const int64_t coning_z_2 = (int64_t)p_y * k_x;  /* F68 */
+    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F68 */
+    const int32_t coning_z = round_34(coning_z_3);  /* F34, |x| <= 0.00334 */
 
     /* phi = S + coning   [cao (12)] */
     const int32_t phi_z = p_z + coning_z;  /* F34, |x| <= 0.102 */
@@ -244,25 +233,25 @@ void rotation_vector_2_coning_fixed32_update(
     const int64_t y_2 = y_1 - INT64_C(384307165630673106) /* 3113381/149442289 */;  /* F64 */
     const int32_t y_3 = round_32(y_2);  /* F32, |x| <= 0.0209 */
     const int64_t y_4 = (int64_t)phi_square * y_3;  /* F68 */
-    const int32_t y = round_31(y_4);  /* F37, |x| <= 0.000216 */
+    const int32_t y = round_32(y_4);  /* F36, |x| <= 0.000216 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F71 */
-    const int32_t bent_x = round_36(bent_x_1);  /* F35, |x| <= 2.2e-05 */
+    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F70 */
+    const int32_t bent_x = round_35(bent_x_1);  /* F35, |x| <= 2.2e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
     const int32_t v_x = phi_x + bent_x;  /* F35, |x| <= 0.051 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F71 */
-    const int32_t bent_y = round_36(bent_y_1);  /* F35, |x| <= 2.2e-05 */
+    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F70 */
+    const int32_t bent_y = round_35(bent_y_1);  /* F35, |x| <= 2.2e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
     const int32_t v_y = phi_y + bent_y;  /* F35, |x| <= 0.051 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F71 */
-    const int32_t bent_z = round_36(bent_z_1);  /* F35, |x| <= 2.2e-05 */
+    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F70 */
+    const int32_t bent_z = round_35(bent_z_1);  /* F35, |x| <= 2.2e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
     const int32_t v_z = phi_z + bent_z;  /* F35, |x| <= 0.051 */
@@ -274,24 +263,35 @@ void rotation_vector_2_coning_fixed32_update(
     /* a = u + e */
     const int64_t a_1 = u * INT64_C(33554432);  /* F61 */
     const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+
+    /* attitude and input */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+
+    /* a = u + e */
     const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
-    const int64_t a_4 = a_2 - a_3;  /* F61 */
-    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
-    const int64_t a_6 = a_4 - a_5;  /* F61 */
-    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
-    const int64_t a_8 = a_6 - a_7;  /* F61 */
-    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
-    const int64_t a_10 = a_8 - a_9;  /* F61 */
+    const int64_t a_4 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_5 = a_3 + a_4;  /* F61 */
+    const int64_t a_6 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_7 = a_5 + a_6;  /* F61 */
+    const int64_t a_8 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_9 = a_7 + a_8;  /* F61 */
+    const int64_t a_10 = a_2 - a_9;  /* F61 */
     const int32_t a = round_26(a_10);  /* F35, |x| <= 0.00521 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
+    const int32_t q_x_negated = -q_x;  /* F30 */
+    const int32_t q_y_negated = -q_y;  /* F30 */
+    const int32_t q_z_negated = -q_z;  /* F30 */
     const int64_t dq_w_1 = (int64_t)q_w * a;  /* F65 */
-    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
-    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F65 */
-    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F65 */
-    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F65 */
-    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F65 */
-    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F65 */
+    const int64_t dq_w_2 = (int64_t)q_x_negated * v_x;  /* F65 */
+    const int64_t dq_w_3 = dq_w_1 + dq_w_2;  /* F65 */
+    const int64_t dq_w_4 = (int64_t)q_y_negated * v_y;  /* F65 */
+    const int64_t dq_w_5 = dq_w_3 + dq_w_4;  /* F65 */
+    const int64_t dq_w_6 = (int64_t)q_z_negated * v_z;  /* F65 */
+    const int64_t dq_w_7 = dq_w_5 + dq_w_6;  /* F65 */
     const int32_t dq_w = round_35(dq_w_7);  /* F30, |x| <= 0.0514 */
 
     /* q_next = q + dq */
@@ -303,8 +303,8 @@ void rotation_vector_2_coning_fixed32_update(
     const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F65 */
     const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F65 */
     const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F65 */
-    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F65 */
-    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F65 */
+    const int64_t dq_x_6 = (int64_t)q_z_negated * v_y;  /* F65 */
+    const int64_t dq_x_7 = dq_x_5 + dq_x_6;  /* F65 */
     const int32_t dq_x = round_35(dq_x_7);  /* F30, |x| <= 0.0514 */
 
     /* q_next = q + dq */
@@ -316,8 +316,8 @@ void rotation_vector_2_coning_fixed32_update(
     const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F65 */
     const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F65 */
     const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F65 */
-    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F65 */
-    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F65 */
+    const int64_t dq_y_6 = (int64_t)q_x_negated * v_z;  /* F65 */
+    const int64_t dq_y_7 = dq_y_5 + dq_y_6;  /* F65 */
     const int32_t dq_y = round_35(dq_y_7);  /* F30, |x| <= 0.0514 */
 
     /* q_next = q + dq */
@@ -329,8 +329,8 @@ void rotation_vector_2_coning_fixed32_update(
     const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F65 */
     const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F65 */
     const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F65 */
-    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F65 */
-    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F65 */
+    const int64_t dq_z_6 = (int64_t)q_y_negated * v_x;  /* F65 */
+    const int64_t dq_z_7 = dq_z_5 + dq_z_6;  /* F65 */
     const int32_t dq_z = round_35(dq_z_7);  /* F30, |x| <= 0.0514 */
 
     /* q_next = q + dq */

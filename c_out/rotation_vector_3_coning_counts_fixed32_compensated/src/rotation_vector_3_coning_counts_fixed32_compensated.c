@@ -26,7 +26,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       56       0   40        13       0       0     0     0     0       0      0
  * update shared           52       4   40        13       0       0     0     0     0       0      0
- * update emitted          52       0   45        35       0       0     0     0     0       0     55
+ * update emitted          52       0   54        26       3       0     0     0     0       0     55
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -206,13 +206,13 @@ void rotation_vector_3_coning_counts_fixed32_compensated_set_quaternion(
 
     /* e = (1 - |q|^2)/2 */
     const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
-    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
-    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
-    const int64_t e_4 = e_2 - e_3;  /* F61 */
-    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
-    const int64_t e_6 = e_4 - e_5;  /* F61 */
-    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
-    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int64_t e_2 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_3 = e_1 + e_2;  /* F61 */
+    const int64_t e_4 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_5 = e_3 + e_4;  /* F61 */
+    const int64_t e_6 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_7 = e_5 + e_6;  /* F61 */
+    const int64_t e_8 = INT64_C(1152921504606846976) /* 1/2 */ - e_7;  /* F61 */
     const int32_t e = round_21(e_8);  /* F40, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -259,14 +259,6 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     rotation_vector_3_coning_counts_fixed32_compensated_state *state, const int16_t counts[9])
 {
     /* attitude and input */
-    const int64_t q_w_whole = state->q[0];  /* F62, |x| <= 1.11 */
-    const int32_t q_w = round_32(q_w_whole);  /* F30, |x| <= 1.11 */
-    const int64_t q_x_whole = state->q[1];  /* F62, |x| <= 1.11 */
-    const int32_t q_x = round_32(q_x_whole);  /* F30, |x| <= 1.11 */
-    const int64_t q_y_whole = state->q[2];  /* F62, |x| <= 1.11 */
-    const int32_t q_y = round_32(q_y_whole);  /* F30, |x| <= 1.11 */
-    const int64_t q_z_whole = state->q[3];  /* F62, |x| <= 1.11 */
-    const int32_t q_z = round_32(q_z_whole);  /* F30, |x| <= 1.11 */
     const int16_t counts1_x = counts[0];  /* F0, |x| <= 3.28e+04 */
     const int16_t counts1_y = counts[1];  /* F0, |x| <= 3.28e+04 */
     const int16_t counts1_z = counts[2];  /* F0, |x| <= 3.28e+04 */
@@ -283,16 +275,19 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int64_t theta1_x_whole = theta1_x_whole_1 + theta1_x_carried;  /* F49 */
     const int32_t theta1_x = round_15(theta1_x_whole);  /* F34, |x| <= 0.117 */
     const int32_t theta1_x_left = left_of_15(theta1_x_whole, theta1_x);  /* F49 */
+    state->residual[0] = theta1_x_left;
     const int64_t theta1_y_whole_1 = (int64_t)1998968549 * counts1_y;  /* F49 */
     const int32_t theta1_y_carried = state->residual[1];  /* F49 */
     const int64_t theta1_y_whole = theta1_y_whole_1 + theta1_y_carried;  /* F49 */
     const int32_t theta1_y = round_15(theta1_y_whole);  /* F34, |x| <= 0.117 */
     const int32_t theta1_y_left = left_of_15(theta1_y_whole, theta1_y);  /* F49 */
+    state->residual[1] = theta1_y_left;
     const int64_t theta1_z_whole_1 = (int64_t)1998968549 * counts1_z;  /* F49 */
     const int32_t theta1_z_carried = state->residual[2];  /* F49 */
     const int64_t theta1_z_whole = theta1_z_whole_1 + theta1_z_carried;  /* F49 */
     const int32_t theta1_z = round_15(theta1_z_whole);  /* F34, |x| <= 0.117 */
     const int32_t theta1_z_left = left_of_15(theta1_z_whole, theta1_z);  /* F49 */
+    state->residual[2] = theta1_z_left;
 
     /* theta2 = quantum T/N counts, rad, the residue carried */
     const int64_t theta2_x_whole_1 = (int64_t)1998968549 * counts2_x;  /* F49 */
@@ -300,16 +295,19 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int64_t theta2_x_whole = theta2_x_whole_1 + theta2_x_carried;  /* F49 */
     const int32_t theta2_x = round_15(theta2_x_whole);  /* F34, |x| <= 0.117 */
     const int32_t theta2_x_left = left_of_15(theta2_x_whole, theta2_x);  /* F49 */
+    state->residual[3] = theta2_x_left;
     const int64_t theta2_y_whole_1 = (int64_t)1998968549 * counts2_y;  /* F49 */
     const int32_t theta2_y_carried = state->residual[4];  /* F49 */
     const int64_t theta2_y_whole = theta2_y_whole_1 + theta2_y_carried;  /* F49 */
     const int32_t theta2_y = round_15(theta2_y_whole);  /* F34, |x| <= 0.117 */
     const int32_t theta2_y_left = left_of_15(theta2_y_whole, theta2_y);  /* F49 */
+    state->residual[4] = theta2_y_left;
     const int64_t theta2_z_whole_1 = (int64_t)1998968549 * counts2_z;  /* F49 */
     const int32_t theta2_z_carried = state->residual[5];  /* F49 */
     const int64_t theta2_z_whole = theta2_z_whole_1 + theta2_z_carried;  /* F49 */
     const int32_t theta2_z = round_15(theta2_z_whole);  /* F34, |x| <= 0.117 */
     const int32_t theta2_z_left = left_of_15(theta2_z_whole, theta2_z);  /* F49 */
+    state->residual[5] = theta2_z_left;
 
     /* theta3 = quantum T/N counts, rad, the residue carried */
     const int64_t theta3_x_whole_1 = (int64_t)1998968549 * counts3_x;  /* F49 */
@@ -317,16 +315,19 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int64_t theta3_x_whole = theta3_x_whole_1 + theta3_x_carried;  /* F49 */
     const int32_t theta3_x = round_15(theta3_x_whole);  /* F34, |x| <= 0.117 */
     const int32_t theta3_x_left = left_of_15(theta3_x_whole, theta3_x);  /* F49 */
+    state->residual[6] = theta3_x_left;
     const int64_t theta3_y_whole_1 = (int64_t)1998968549 * counts3_y;  /* F49 */
     const int32_t theta3_y_carried = state->residual[7];  /* F49 */
     const int64_t theta3_y_whole = theta3_y_whole_1 + theta3_y_carried;  /* F49 */
     const int32_t theta3_y = round_15(theta3_y_whole);  /* F34, |x| <= 0.117 */
     const int32_t theta3_y_left = left_of_15(theta3_y_whole, theta3_y);  /* F49 */
+    state->residual[7] = theta3_y_left;
     const int64_t theta3_z_whole_1 = (int64_t)1998968549 * counts3_z;  /* F49 */
     const int32_t theta3_z_carried = state->residual[8];  /* F49 */
     const int64_t theta3_z_whole = theta3_z_whole_1 + theta3_z_carried;  /* F49 */
     const int32_t theta3_z = round_15(theta3_z_whole);  /* F34, |x| <= 0.117 */
     const int32_t theta3_z_left = left_of_15(theta3_z_whole, theta3_z);  /* F49 */
+    state->residual[8] = theta3_z_left;
 
     /* d = theta_3 - theta_1 */
     const int64_t d_x_1 = (int64_t)theta3_x - theta1_x;  /* F34 */
@@ -377,6 +378,7 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int32_t phi_x_fine_whole = coning_x + phi_x_fine_carried;  /* F35 */
     const int32_t phi_x_fine = round_short_3(phi_x_fine_whole);  /* F32 */
     const int32_t phi_x_fine_left = left_of_short_3(phi_x_fine_whole, phi_x_fine);  /* F35 */
+    state->residual[9] = phi_x_fine_left;
     const int32_t phi_x = phi_x_fine + S_x;  /* F32, |x| <= 0.41 */
 
     /* coning = g x k   [cao (12)] */
@@ -390,6 +392,7 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int32_t phi_y_fine_whole = coning_y + phi_y_fine_carried;  /* F35 */
     const int32_t phi_y_fine = round_short_3(phi_y_fine_whole);  /* F32 */
     const int32_t phi_y_fine_left = left_of_short_3(phi_y_fine_whole, phi_y_fine);  /* F35 */
+    state->residual[10] = phi_y_fine_left;
     const int32_t phi_y = phi_y_fine + S_y;  /* F32, |x| <= 0.41 */
 
     /* coning = g x k   [cao (12)] */
@@ -403,6 +406,7 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int32_t phi_z_fine_whole = coning_z + phi_z_fine_carried;  /* F35 */
     const int32_t phi_z_fine = round_short_3(phi_z_fine_whole);  /* F32 */
     const int32_t phi_z_fine_left = left_of_short_3(phi_z_fine_whole, phi_z_fine);  /* F35 */
+    state->residual[11] = phi_z_fine_left;
     const int32_t phi_z = phi_z_fine + S_z;  /* F32, |x| <= 0.41 */
 
     /* phi_square = |phi|^2 */
@@ -446,6 +450,7 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int32_t v_x_fine_whole = bent_x + v_x_fine_carried;  /* F38 */
     const int32_t v_x_fine = round_short_5(v_x_fine_whole);  /* F33 */
     const int32_t v_x_fine_left = left_of_short_5(v_x_fine_whole, v_x_fine);  /* F38 */
+    state->residual[12] = v_x_fine_left;
     const int32_t v_x = v_x_fine + phi_x;  /* F33, |x| <= 0.209 */
 
     /* bent = y phi   [cao (14)] */
@@ -457,6 +462,7 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int32_t v_y_fine_whole = bent_y + v_y_fine_carried;  /* F38 */
     const int32_t v_y_fine = round_short_5(v_y_fine_whole);  /* F33 */
     const int32_t v_y_fine_left = left_of_short_5(v_y_fine_whole, v_y_fine);  /* F38 */
+    state->residual[13] = v_y_fine_left;
     const int32_t v_y = v_y_fine + phi_y;  /* F33, |x| <= 0.209 */
 
     /* bent = y phi   [cao (14)] */
@@ -468,6 +474,7 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int32_t v_z_fine_whole = bent_z + v_z_fine_carried;  /* F38 */
     const int32_t v_z_fine = round_short_5(v_z_fine_whole);  /* F33 */
     const int32_t v_z_fine_left = left_of_short_5(v_z_fine_whole, v_z_fine);  /* F38 */
+    state->residual[14] = v_z_fine_left;
     const int32_t v_z = v_z_fine + phi_z;  /* F33, |x| <= 0.209 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
@@ -477,24 +484,39 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     /* a = u + e */
     const int64_t a_1 = u * INT64_C(67108864);  /* F61 */
     const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+
+    /* attitude and input */
+    const int64_t q_w_whole = state->q[0];  /* F62, |x| <= 1.11 */
+    const int32_t q_w = round_32(q_w_whole);  /* F30, |x| <= 1.11 */
+    const int64_t q_x_whole = state->q[1];  /* F62, |x| <= 1.11 */
+    const int32_t q_x = round_32(q_x_whole);  /* F30, |x| <= 1.11 */
+    const int64_t q_y_whole = state->q[2];  /* F62, |x| <= 1.11 */
+    const int32_t q_y = round_32(q_y_whole);  /* F30, |x| <= 1.11 */
+    const int64_t q_z_whole = state->q[3];  /* F62, |x| <= 1.11 */
+    const int32_t q_z = round_32(q_z_whole);  /* F30, |x| <= 1.11 */
+
+    /* a = u + e */
     const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
-    const int64_t a_4 = a_2 - a_3;  /* F61 */
-    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
-    const int64_t a_6 = a_4 - a_5;  /* F61 */
-    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
-    const int64_t a_8 = a_6 - a_7;  /* F61 */
-    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
-    const int64_t a_10 = a_8 - a_9;  /* F61 */
+    const int64_t a_4 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_5 = a_3 + a_4;  /* F61 */
+    const int64_t a_6 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_7 = a_5 + a_6;  /* F61 */
+    const int64_t a_8 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_9 = a_7 + a_8;  /* F61 */
+    const int64_t a_10 = a_2 - a_9;  /* F61 */
     const int32_t a = round_28(a_10);  /* F33, |x| <= 0.163 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
+    const int32_t v_x_negated = -v_x;  /* F33 */
+    const int32_t v_y_negated = -v_y;  /* F33 */
+    const int32_t v_z_negated = -v_z;  /* F33 */
     const int64_t dq_w_1 = (int64_t)q_w * a;  /* F63 */
-    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F63 */
-    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F63 */
-    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F63 */
-    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F63 */
-    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F63 */
-    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F63 */
+    const int64_t dq_w_2 = (int64_t)q_x * v_x_negated;  /* F63 */
+    const int64_t dq_w_3 = dq_w_1 + dq_w_2;  /* F63 */
+    const int64_t dq_w_4 = (int64_t)q_y * v_y_negated;  /* F63 */
+    const int64_t dq_w_5 = dq_w_3 + dq_w_4;  /* F63 */
+    const int64_t dq_w_6 = (int64_t)q_z * v_z_negated;  /* F63 */
+    const int64_t dq_w_7 = dq_w_5 + dq_w_6;  /* F63 */
     const int64_t dq_w = round_wide_1(dq_w_7);  /* F62, |x| <= 0.421 */
 
     /* q_next = q + dq */
@@ -506,8 +528,8 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F63 */
     const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F63 */
     const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F63 */
-    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F63 */
-    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F63 */
+    const int64_t dq_x_6 = (int64_t)q_z * v_y_negated;  /* F63 */
+    const int64_t dq_x_7 = dq_x_5 + dq_x_6;  /* F63 */
     const int64_t dq_x = round_wide_1(dq_x_7);  /* F62, |x| <= 0.421 */
 
     /* q_next = q + dq */
@@ -519,8 +541,8 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F63 */
     const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F63 */
     const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F63 */
-    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F63 */
-    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F63 */
+    const int64_t dq_y_6 = (int64_t)q_x * v_z_negated;  /* F63 */
+    const int64_t dq_y_7 = dq_y_5 + dq_y_6;  /* F63 */
     const int64_t dq_y = round_wide_1(dq_y_7);  /* F62, |x| <= 0.421 */
 
     /* q_next = q + dq */
@@ -532,8 +554,8 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F63 */
     const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F63 */
     const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F63 */
-    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F63 */
-    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F63 */
+    const int64_t dq_z_6 = (int64_t)q_y * v_x_negated;  /* F63 */
+    const int64_t dq_z_7 = dq_z_5 + dq_z_6;  /* F63 */
     const int64_t dq_z = round_wide_1(dq_z_7);  /* F62, |x| <= 0.421 */
 
     /* q_next = q + dq */
@@ -544,23 +566,6 @@ void rotation_vector_3_coning_counts_fixed32_compensated_update(
     state->q[1] = q_next_x;
     state->q[2] = q_next_y;
     state->q[3] = q_next_z;
-
-    /* carry the roundings to the next update */
-    state->residual[0] = theta1_x_left;
-    state->residual[1] = theta1_y_left;
-    state->residual[2] = theta1_z_left;
-    state->residual[3] = theta2_x_left;
-    state->residual[4] = theta2_y_left;
-    state->residual[5] = theta2_z_left;
-    state->residual[6] = theta3_x_left;
-    state->residual[7] = theta3_y_left;
-    state->residual[8] = theta3_z_left;
-    state->residual[9] = phi_x_fine_left;
-    state->residual[10] = phi_y_fine_left;
-    state->residual[11] = phi_z_fine_left;
-    state->residual[12] = v_x_fine_left;
-    state->residual[13] = v_y_fine_left;
-    state->residual[14] = v_z_fine_left;
 }
 
 void rotation_vector_3_coning_counts_fixed32_compensated_quaternion(

@@ -26,7 +26,7 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       56       0   40        13       0       0     0     0     0       0      0
  * update shared           52       4   40        13       0       0     0     0     0       0      0
- * update emitted          52       0   45        35       0       0     0     0     0       0     55
+ * update emitted          52       0   54        26       3       0     0     0     0       0     55
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

@@ -20,13 +20,13 @@
  *              2.5e-15 (scalar), 7.8e-14 (vector), proved over the rationals
  * rounding:    one update is within 1.2e-09 of exact arithmetic, in the norm of the components;
  *              proved
- * high words:  4 of 20 rounded sums of products drop a whole word, 1 before formats were searched
- *              for that; of one update's errors in the first order it made 2.2e-09 of 2.2e-09
+ * high words:  8 of 20 rounded sums of products drop a whole word, 1 before formats were searched
+ *              for that; of one update's errors in the first order it made 2.3e-09 of 2.2e-09
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       44       0   37        13       0       0     0     0     0       0      0
  * update shared           40       4   37        13       0       0     0     0     0       0      0
- * update emitted          40       0   28        19       0       0     0     0     0       0     27
+ * update emitted          40       0   37        10       3       0     0     0     0       0     27
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -86,14 +86,6 @@ static inline int32_t round_even_30(int64_t x)
     return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
 }
 
-/* x / 2^31, rounded to nearest, halves to even; the result fits 32 bits. */
-static inline int32_t round_even_31(int64_t x)
-{
-    const int64_t up = shift_right_64(x + INT64_C(1073741824), 31);
-    const int tie = (((uint64_t)x + UINT64_C(1073741824)) & UINT64_C(2147483647)) == 0;
-    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
-}
-
 /* x / 2^32, rounded to nearest, halves to even; the result fits 32 bits. */
 static inline int32_t round_even_32(int64_t x)
 {
@@ -102,19 +94,19 @@ static inline int32_t round_even_32(int64_t x)
     return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
 }
 
+/* x / 2^34, rounded to nearest, halves to even; the result fits 32 bits. */
+static inline int32_t round_even_34(int64_t x)
+{
+    const int64_t up = shift_right_64(x + INT64_C(8589934592), 34);
+    const int tie = (((uint64_t)x + UINT64_C(8589934592)) & UINT64_C(17179869183)) == 0;
+    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
+}
+
 /* x / 2^35, rounded to nearest, halves to even; the result fits 32 bits. */
 static inline int32_t round_even_35(int64_t x)
 {
     const int64_t up = shift_right_64(x + INT64_C(17179869184), 35);
     const int tie = (((uint64_t)x + UINT64_C(17179869184)) & UINT64_C(34359738367)) == 0;
-    return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
-}
-
-/* x / 2^36, rounded to nearest, halves to even; the result fits 32 bits. */
-static inline int32_t round_even_36(int64_t x)
-{
-    const int64_t up = shift_right_64(x + INT64_C(34359738368), 36);
-    const int tie = (((uint64_t)x + UINT64_C(34359738368)) & UINT64_C(68719476735)) == 0;
     return (int32_t)((tie != 0) ? (up - (up & 1)) : up);
 }
 
@@ -145,13 +137,13 @@ void rotation_vector_3_coning_even_fixed32_set_quaternion(
 
     /* e = (1 - |q|^2)/2 */
     const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
-    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
-    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
-    const int64_t e_4 = e_2 - e_3;  /* F61 */
-    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
-    const int64_t e_6 = e_4 - e_5;  /* F61 */
-    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
-    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int64_t e_2 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_3 = e_1 + e_2;  /* F61 */
+    const int64_t e_4 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_5 = e_3 + e_4;  /* F61 */
+    const int64_t e_6 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_7 = e_5 + e_6;  /* F61 */
+    const int64_t e_8 = INT64_C(1152921504606846976) /* 1/2 */ - e_7;  /* F61 */
     const int32_t e = round_even_21(e_8);  /* F40, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -187,10 +179,6 @@ void rotation_vector_3_coning_even_fixed32_update(
     rotation_vector_3_coning_even_fixed32_state *state, const int32_t dtheta[9])
 {
     /* attitude and input */
-    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
-    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
-    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
-    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
     const int32_t dtheta1_x = dtheta[0];  /* F34, |x| <= 0.0334 */
     const int32_t dtheta1_y = dtheta[1];  /* F34, |x| <= 0.0334 */
     const int32_t dtheta1_z = dtheta[2];  /* F34, |x| <= 0.0334 */
@@ -227,35 +215,35 @@ void rotation_vector_3_coning_even_fixed32_update(
 
     /* k = 9/40 d   [cao (12)] */
     const int64_t k_x_1 = (int64_t)1932735283 /* 9/40 */ * d_x;  /* F67 */
-    const int32_t k_x = round_even_30(k_x_1);  /* F37, |x| <= 0.0151 */
+    const int32_t k_x = round_even_32(k_x_1);  /* F35, |x| <= 0.0151 */
     const int64_t k_y_1 = (int64_t)1932735283 /* 9/40 */ * d_y;  /* F67 */
-    const int32_t k_y = round_even_30(k_y_1);  /* F37, |x| <= 0.0151 */
+    const int32_t k_y = round_even_32(k_y_1);  /* F35, |x| <= 0.0151 */
     const int64_t k_z_1 = (int64_t)1932735283 /* 9/40 */ * d_z;  /* F67 */
-    const int32_t k_z = round_even_30(k_z_1);  /* F37, |x| <= 0.0151 */
+    const int32_t k_z = round_even_32(k_z_1);  /* F35, |x| <= 0.0151 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_x_1 = (int64_t)g_y * k_z;  /* F70 */
-    const int64_t coning_x_2 = (int64_t)g_z * k_y;  /* F70 */
-    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F70 */
-    const int32_t coning_x = round_even_36(coning_x_3);  /* F34, |x| <= 0.00251 */
+    const int64_t coning_x_1 = (int64_t)g_y * k_z;  /* F68 */
+    const int64_t coning_x_2 = (int64_t)g_z * k_y;  /* F68 */
+    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F68 */
+    const int32_t coning_x = round_even_34(coning_x_3);  /* F34, |x| <= 0.00251 */
 
     /* phi = S + coning   [cao (12)] */
     const int32_t phi_x = S_x + coning_x;  /* F34, |x| <= 0.103 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F70 */
-    const int64_t coning_y_2 = (int64_t)g_x * k_z;  /* F70 */
-    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F70 */
-    const int32_t coning_y = round_even_36(coning_y_3);  /* F34, |x| <= 0.00251 */
+    const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F68 */
+    const int64_t coning_y_2 = (int64_t)g_x * k_z;  /* F68 */
+    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F68 */
+    const int32_t coning_y = round_even_34(coning_y_3);  /* F34, |x| <= 0.00251 */
 
     /* phi = S + coning   [cao (12)] */
     const int32_t phi_y = S_y + coning_y;  /* F34, |x| <= 0.103 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F70 */
-    const int64_t coning_z_2 = (int64_t)g_y * k_x;  /* F70 */
-    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F70 */
-    const int32_t coning_z = round_even_36(coning_z_3);  /* F34, |x| <= 0.00251 */
+    const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F68 */
+    const int64_t coning_z_2 = (int64_t)g_y * k_x;  /* F68 */
+    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F68 */
+    const int32_t coning_z = round_even_34(coning_z_3);  /* F34, |x| <= 0.00251 */
 
     /* phi = S + coning   [cao (12)] */
     const int32_t phi_z = S_z + coning_z;  /* F34, |x| <= 0.103 */
@@ -281,25 +269,25 @@ void rotation_vector_3_coning_even_fixed32_update(
     const int64_t y_2 = y_1 - INT64_C(384307165617423277) /* 3097422/148676257 */;  /* F64 */
     const int32_t y_3 = round_even_32(y_2);  /* F32, |x| <= 0.0209 */
     const int64_t y_4 = (int64_t)phi_square * y_3;  /* F68 */
-    const int32_t y = round_even_31(y_4);  /* F37, |x| <= 0.000218 */
+    const int32_t y = round_even_32(y_4);  /* F36, |x| <= 0.000218 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F71 */
-    const int32_t bent_x = round_even_36(bent_x_1);  /* F35, |x| <= 2.23e-05 */
+    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F70 */
+    const int32_t bent_x = round_even_35(bent_x_1);  /* F35, |x| <= 2.23e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
     const int32_t v_x = phi_x + bent_x;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F71 */
-    const int32_t bent_y = round_even_36(bent_y_1);  /* F35, |x| <= 2.23e-05 */
+    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F70 */
+    const int32_t bent_y = round_even_35(bent_y_1);  /* F35, |x| <= 2.23e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
     const int32_t v_y = phi_y + bent_y;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F71 */
-    const int32_t bent_z = round_even_36(bent_z_1);  /* F35, |x| <= 2.23e-05 */
+    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F70 */
+    const int32_t bent_z = round_even_35(bent_z_1);  /* F35, |x| <= 2.23e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
     const int32_t v_z = phi_z + bent_z;  /* F35, |x| <= 0.0512 */
@@ -311,24 +299,35 @@ void rotation_vector_3_coning_even_fixed32_update(
     /* a = u + e */
     const int64_t a_1 = u * INT64_C(33554432);  /* F61 */
     const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+
+    /* attitude and input */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+
+    /* a = u + e */
     const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
-    const int64_t a_4 = a_2 - a_3;  /* F61 */
-    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
-    const int64_t a_6 = a_4 - a_5;  /* F61 */
-    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
-    const int64_t a_8 = a_6 - a_7;  /* F61 */
-    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
-    const int64_t a_10 = a_8 - a_9;  /* F61 */
+    const int64_t a_4 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_5 = a_3 + a_4;  /* F61 */
+    const int64_t a_6 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_7 = a_5 + a_6;  /* F61 */
+    const int64_t a_8 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_9 = a_7 + a_8;  /* F61 */
+    const int64_t a_10 = a_2 - a_9;  /* F61 */
     const int32_t a = round_even_26(a_10);  /* F35, |x| <= 0.00522 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
+    const int32_t q_x_negated = -q_x;  /* F30 */
+    const int32_t q_y_negated = -q_y;  /* F30 */
+    const int32_t q_z_negated = -q_z;  /* F30 */
     const int64_t dq_w_1 = (int64_t)q_w * a;  /* F65 */
-    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
-    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F65 */
-    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F65 */
-    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F65 */
-    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F65 */
-    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F65 */
+    const int64_t dq_w_2 = (int64_t)q_x_negated * v_x;  /* F65 */
+    const int64_t dq_w_3 = dq_w_1 + dq_w_2;  /* F65 */
+    const int64_t dq_w_4 = (int64_t)q_y_negated * v_y;  /* F65 */
+    const int64_t dq_w_5 = dq_w_3 + dq_w_4;  /* F65 */
+    const int64_t dq_w_6 = (int64_t)q_z_negated * v_z;  /* F65 */
+    const int64_t dq_w_7 = dq_w_5 + dq_w_6;  /* F65 */
     const int32_t dq_w = round_even_35(dq_w_7);  /* F30, |x| <= 0.0516 */
 
     /* q_next = q + dq */
@@ -340,8 +339,8 @@ void rotation_vector_3_coning_even_fixed32_update(
     const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F65 */
     const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F65 */
     const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F65 */
-    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F65 */
-    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F65 */
+    const int64_t dq_x_6 = (int64_t)q_z_negated * v_y;  /* F65 */
+    const int64_t dq_x_7 = dq_x_5 + dq_x_6;  /* F65 */
     const int32_t dq_x = round_even_35(dq_x_7);  /* F30, |x| <= 0.0516 */
 
     /* q_next = q + dq */
@@ -353,8 +352,8 @@ void rotation_vector_3_coning_even_fixed32_update(
     const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F65 */
     const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F65 */
     const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F65 */
-    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F65 */
-    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F65 */
+    const int64_t dq_y_6 = (int64_t)q_x_negated * v_z;  /* F65 */
+    const int64_t dq_y_7 = dq_y_5 + dq_y_6;  /* F65 */
     const int32_t dq_y = round_even_35(dq_y_7);  /* F30, |x| <= 0.0516 */
 
     /* q_next = q + dq */
@@ -366,8 +365,8 @@ void rotation_vector_3_coning_even_fixed32_update(
     const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F65 */
     const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F65 */
     const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F65 */
-    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F65 */
-    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F65 */
+    const int64_t dq_z_6 = (int64_t)q_y_negated * v_x;  /* F65 */
+    const int64_t dq_z_7 = dq_z_5 + dq_z_6;  /* F65 */
     const int32_t dq_z = round_even_35(dq_z_7);  /* F30, |x| <= 0.0516 */
 
     /* q_next = q + dq */

@@ -20,13 +20,13 @@
  *              2.5e-15 (scalar), 7.8e-14 (vector), proved over the rationals
  * rounding:    one update is within 1.2e-09 of exact arithmetic, in the norm of the components;
  *              proved
- * high words:  4 of 20 rounded sums of products drop a whole word, 1 before formats were searched
- *              for that; of one update's errors in the first order it made 2.2e-09 of 2.2e-09
+ * high words:  8 of 20 rounded sums of products drop a whole word, 1 before formats were searched
+ *              for that; of one update's errors in the first order it made 2.3e-09 of 2.2e-09
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       44       0   37        13       0       0     0     0     0       0      0
  * update shared           40       4   37        13       0       0     0     0     0       0      0
- * update emitted          40       0   28        19       0       0     0     0     0       0     27
+ * update emitted          40       0   37        10       3       0     0     0     0       0     27
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

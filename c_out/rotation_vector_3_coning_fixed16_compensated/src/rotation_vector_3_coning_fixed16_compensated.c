@@ -24,10 +24,10 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       42       0   35        13       0       0     0     0     0       0      0
  * update shared           38       4   35        13       0       0     0     0     0       0      0
- * update emitted          38       0   34        23       1       0     0     0     0       0     54
+ * update emitted          38       0   39        18       1       0     0     0     0       0     54
  * dcm as-written           9       0    9         6       0       0     0     0     0       0      0
  * dcm shared               9       0    9         6       0       0     0     0     0       0      0
- * dcm emitted              9       0    3         9       0       0     0     0     0       0     19
+ * dcm emitted              9       0    6         6       0       0     0     0     0       0     19
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -153,13 +153,13 @@ void rotation_vector_3_coning_fixed16_compensated_set_quaternion(
 
     /* e = (1 - |q|^2)/2 */
     const int32_t e_1 = (int32_t)q_nb_w * q_nb_w;  /* F28 */
-    const int32_t e_2 = 268435456 /* 1/2 */ - e_1;  /* F29 */
-    const int32_t e_3 = (int32_t)q_nb_x * q_nb_x;  /* F28 */
-    const int32_t e_4 = e_2 - e_3;  /* F29 */
-    const int32_t e_5 = (int32_t)q_nb_y * q_nb_y;  /* F28 */
-    const int32_t e_6 = e_4 - e_5;  /* F29 */
-    const int32_t e_7 = (int32_t)q_nb_z * q_nb_z;  /* F28 */
-    const int32_t e_8 = e_6 - e_7;  /* F29 */
+    const int32_t e_2 = (int32_t)q_nb_x * q_nb_x;  /* F28 */
+    const int32_t e_3 = e_1 + e_2;  /* F29 */
+    const int32_t e_4 = (int32_t)q_nb_y * q_nb_y;  /* F28 */
+    const int32_t e_5 = e_3 + e_4;  /* F29 */
+    const int32_t e_6 = (int32_t)q_nb_z * q_nb_z;  /* F28 */
+    const int32_t e_7 = e_5 + e_6;  /* F29 */
+    const int32_t e_8 = 268435456 /* 1/2 */ - e_7;  /* F29 */
     const int16_t e = round_5(e_8);  /* F24, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -197,14 +197,6 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     rotation_vector_3_coning_fixed16_compensated_state *state, const int16_t dtheta[9])
 {
     /* attitude and input */
-    const int32_t q_w_whole = state->q[0];  /* F30, |x| <= 1.01 */
-    const int16_t q_w = round_16(q_w_whole);  /* F14, |x| <= 1.01 */
-    const int32_t q_x_whole = state->q[1];  /* F30, |x| <= 1.01 */
-    const int16_t q_x = round_16(q_x_whole);  /* F14, |x| <= 1.01 */
-    const int32_t q_y_whole = state->q[2];  /* F30, |x| <= 1.01 */
-    const int16_t q_y = round_16(q_y_whole);  /* F14, |x| <= 1.01 */
-    const int32_t q_z_whole = state->q[3];  /* F30, |x| <= 1.01 */
-    const int16_t q_z = round_16(q_z_whole);  /* F14, |x| <= 1.01 */
     const int16_t dtheta1_x = dtheta[0];  /* F18, |x| <= 0.0334 */
     const int16_t dtheta1_y = dtheta[1];  /* F18, |x| <= 0.0334 */
     const int16_t dtheta1_z = dtheta[2];  /* F18, |x| <= 0.0334 */
@@ -266,6 +258,7 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     const int32_t phi_x_whole = phi_x_whole_2 + phi_x_carried;  /* F23 */
     const int16_t phi_x = round_5(phi_x_whole);  /* F18, |x| <= 0.103 */
     const int16_t phi_x_left = left_of_5(phi_x_whole, phi_x);  /* F23 */
+    state->residual[0] = phi_x_left;
 
     /* coning = g x k   [cao (12)] */
     const int32_t coning_y_1 = (int32_t)g_z * k_x;  /* F38 */
@@ -280,6 +273,7 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     const int32_t phi_y_whole = phi_y_whole_2 + phi_y_carried;  /* F23 */
     const int16_t phi_y = round_5(phi_y_whole);  /* F18, |x| <= 0.103 */
     const int16_t phi_y_left = left_of_5(phi_y_whole, phi_y);  /* F23 */
+    state->residual[1] = phi_y_left;
 
     /* coning = g x k   [cao (12)] */
     const int32_t coning_z_1 = (int32_t)g_x * k_y;  /* F38 */
@@ -294,6 +288,7 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     const int32_t phi_z_whole = phi_z_whole_2 + phi_z_carried;  /* F23 */
     const int16_t phi_z = round_5(phi_z_whole);  /* F18, |x| <= 0.103 */
     const int16_t phi_z_left = left_of_5(phi_z_whole, phi_z);  /* F23 */
+    state->residual[2] = phi_z_left;
 
     /* phi_square = |phi|^2 */
     const int32_t phi_square_1 = (int32_t)phi_x * phi_x;  /* F36 */
@@ -325,6 +320,7 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     const int32_t v_x_whole = v_x_whole_2 + v_x_carried;  /* F30 */
     const int16_t v_x = round_11(v_x_whole);  /* F19, |x| <= 0.0512 */
     const int16_t v_x_left = left_of_11(v_x_whole, v_x);  /* F30 */
+    state->residual[3] = v_x_left;
 
     /* bent = y phi   [cao (14)] */
     const int32_t bent_y_1 = (int32_t)y * phi_y;  /* F45 */
@@ -337,6 +333,7 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     const int32_t v_y_whole = v_y_whole_2 + v_y_carried;  /* F30 */
     const int16_t v_y = round_11(v_y_whole);  /* F19, |x| <= 0.0512 */
     const int16_t v_y_left = left_of_11(v_y_whole, v_y);  /* F30 */
+    state->residual[4] = v_y_left;
 
     /* bent = y phi   [cao (14)] */
     const int32_t bent_z_1 = (int32_t)y * phi_z;  /* F45 */
@@ -349,6 +346,7 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     const int32_t v_z_whole = v_z_whole_2 + v_z_carried;  /* F30 */
     const int16_t v_z = round_11(v_z_whole);  /* F19, |x| <= 0.0512 */
     const int16_t v_z_left = left_of_11(v_z_whole, v_z);  /* F30 */
+    state->residual[5] = v_z_left;
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
     const int32_t u_3 = (int32_t)phi_square * u_2;  /* F38 */
@@ -357,27 +355,39 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     /* a = u + e */
     const int32_t a_1 = (int32_t)u * 32;  /* F29 */
     const int32_t a_2 = a_1 + 268435456 /* 1/2 */;  /* F29 */
+
+    /* attitude and input */
+    const int32_t q_w_whole = state->q[0];  /* F30, |x| <= 1.01 */
+    const int16_t q_w = round_16(q_w_whole);  /* F14, |x| <= 1.01 */
+    const int32_t q_x_whole = state->q[1];  /* F30, |x| <= 1.01 */
+    const int16_t q_x = round_16(q_x_whole);  /* F14, |x| <= 1.01 */
+    const int32_t q_y_whole = state->q[2];  /* F30, |x| <= 1.01 */
+    const int16_t q_y = round_16(q_y_whole);  /* F14, |x| <= 1.01 */
+    const int32_t q_z_whole = state->q[3];  /* F30, |x| <= 1.01 */
+    const int16_t q_z = round_16(q_z_whole);  /* F14, |x| <= 1.01 */
+
+    /* a = u + e */
     const int32_t a_3 = (int32_t)q_w * q_w;  /* F28 */
-    const int32_t a_4 = a_2 - a_3;  /* F29 */
-    const int32_t a_5 = (int32_t)q_x * q_x;  /* F28 */
-    const int32_t a_6 = a_4 - a_5;  /* F29 */
-    const int32_t a_7 = (int32_t)q_y * q_y;  /* F28 */
-    const int32_t a_8 = a_6 - a_7;  /* F29 */
-    const int32_t a_9 = (int32_t)q_z * q_z;  /* F28 */
-    const int32_t a_10 = a_8 - a_9;  /* F29 */
+    const int32_t a_4 = (int32_t)q_x * q_x;  /* F28 */
+    const int32_t a_5 = a_3 + a_4;  /* F29 */
+    const int32_t a_6 = (int32_t)q_y * q_y;  /* F28 */
+    const int32_t a_7 = a_5 + a_6;  /* F29 */
+    const int32_t a_8 = (int32_t)q_z * q_z;  /* F28 */
+    const int32_t a_9 = a_7 + a_8;  /* F29 */
+    const int32_t a_10 = a_2 - a_9;  /* F29 */
     const int16_t a = round_8(a_10);  /* F21, |x| <= 0.00529 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int32_t dq_w_1 = (int32_t)q_w * a;  /* F35 */
     const int32_t dq_w_2 = (int32_t)q_x * v_x;  /* F33 */
     const int32_t dq_w_3 = dq_w_2 * 4;  /* F35 */
-    const int32_t dq_w_4 = dq_w_1 - dq_w_3;  /* F35 */
-    const int32_t dq_w_5 = (int32_t)q_y * v_y;  /* F33 */
-    const int32_t dq_w_6 = dq_w_5 * 4;  /* F35 */
-    const int32_t dq_w_7 = dq_w_4 - dq_w_6;  /* F35 */
-    const int32_t dq_w_8 = (int32_t)q_z * v_z;  /* F33 */
-    const int32_t dq_w_9 = dq_w_8 * 4;  /* F35 */
-    const int32_t dq_w_10 = dq_w_7 - dq_w_9;  /* F35 */
+    const int32_t dq_w_4 = (int32_t)q_y * v_y;  /* F33 */
+    const int32_t dq_w_5 = dq_w_4 * 4;  /* F35 */
+    const int32_t dq_w_6 = dq_w_3 + dq_w_5;  /* F35 */
+    const int32_t dq_w_7 = (int32_t)q_z * v_z;  /* F33 */
+    const int32_t dq_w_8 = dq_w_7 * 4;  /* F35 */
+    const int32_t dq_w_9 = dq_w_6 + dq_w_8;  /* F35 */
+    const int32_t dq_w_10 = dq_w_1 - dq_w_9;  /* F35 */
     const int32_t dq_w = round_short_5(dq_w_10);  /* F30, |x| <= 0.0517 */
 
     /* q_next = q + dq */
@@ -436,14 +446,6 @@ void rotation_vector_3_coning_fixed16_compensated_update(
     state->q[1] = q_next_x;
     state->q[2] = q_next_y;
     state->q[3] = q_next_z;
-
-    /* carry the roundings to the next update */
-    state->residual[0] = phi_x_left;
-    state->residual[1] = phi_y_left;
-    state->residual[2] = phi_z_left;
-    state->residual[3] = v_x_left;
-    state->residual[4] = v_y_left;
-    state->residual[5] = v_z_left;
 }
 
 void rotation_vector_3_coning_fixed16_compensated_quaternion(
@@ -500,9 +502,9 @@ void rotation_vector_3_coning_fixed16_compensated_dcm(
 
     /* c_nb = C_nb(q)   [cao (15)] */
     const int32_t c_nb_11_1 = (int32_t)yy * 2;  /* F14 */
-    const int32_t c_nb_11_2 = 16384 /* 1 */ - c_nb_11_1;  /* F14 */
-    const int32_t c_nb_11_3 = (int32_t)zz * 2;  /* F14 */
-    const int32_t c_nb_11_4 = c_nb_11_2 - c_nb_11_3;  /* F14 */
+    const int32_t c_nb_11_2 = (int32_t)zz * 2;  /* F14 */
+    const int32_t c_nb_11_3 = c_nb_11_1 + c_nb_11_2;  /* F14 */
+    const int32_t c_nb_11_4 = 16384 /* 1 */ - c_nb_11_3;  /* F14 */
     const int16_t c_nb_11 = (int16_t)c_nb_11_4;  /* F14, |x| <= 1.02 */
     const int32_t c_nb_12_1 = (int32_t)xy - wz;  /* F14 */
     const int16_t c_nb_12 = (int16_t)c_nb_12_1;  /* F14, |x| <= 1.02 */
@@ -511,9 +513,9 @@ void rotation_vector_3_coning_fixed16_compensated_dcm(
     const int32_t c_nb_21_1 = (int32_t)xy + wz;  /* F14 */
     const int16_t c_nb_21 = (int16_t)c_nb_21_1;  /* F14, |x| <= 1.02 */
     const int32_t c_nb_22_1 = (int32_t)xx * 2;  /* F14 */
-    const int32_t c_nb_22_2 = 16384 /* 1 */ - c_nb_22_1;  /* F14 */
-    const int32_t c_nb_22_3 = (int32_t)zz * 2;  /* F14 */
-    const int32_t c_nb_22_4 = c_nb_22_2 - c_nb_22_3;  /* F14 */
+    const int32_t c_nb_22_2 = (int32_t)zz * 2;  /* F14 */
+    const int32_t c_nb_22_3 = c_nb_22_1 + c_nb_22_2;  /* F14 */
+    const int32_t c_nb_22_4 = 16384 /* 1 */ - c_nb_22_3;  /* F14 */
     const int16_t c_nb_22 = (int16_t)c_nb_22_4;  /* F14, |x| <= 1.02 */
     const int32_t c_nb_23_1 = (int32_t)yz - wx;  /* F14 */
     const int16_t c_nb_23 = (int16_t)c_nb_23_1;  /* F14, |x| <= 1.02 */
@@ -522,9 +524,9 @@ void rotation_vector_3_coning_fixed16_compensated_dcm(
     const int32_t c_nb_32_1 = (int32_t)yz + wx;  /* F14 */
     const int16_t c_nb_32 = (int16_t)c_nb_32_1;  /* F14, |x| <= 1.02 */
     const int32_t c_nb_33_1 = (int32_t)xx * 2;  /* F14 */
-    const int32_t c_nb_33_2 = 16384 /* 1 */ - c_nb_33_1;  /* F14 */
-    const int32_t c_nb_33_3 = (int32_t)yy * 2;  /* F14 */
-    const int32_t c_nb_33_4 = c_nb_33_2 - c_nb_33_3;  /* F14 */
+    const int32_t c_nb_33_2 = (int32_t)yy * 2;  /* F14 */
+    const int32_t c_nb_33_3 = c_nb_33_1 + c_nb_33_2;  /* F14 */
+    const int32_t c_nb_33_4 = 16384 /* 1 */ - c_nb_33_3;  /* F14 */
     const int16_t c_nb_33 = (int16_t)c_nb_33_4;  /* F14, |x| <= 1.02 */
 
     c_nb[0] = c_nb_11;

@@ -24,10 +24,10 @@
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       42       0   35        13       0       0     0     0     0       0      0
  * update shared           38       4   35        13       0       0     0     0     0       0      0
- * update emitted          38       0   34        23       1       0     0     0     0       0     54
+ * update emitted          38       0   39        18       1       0     0     0     0       0     54
  * dcm as-written           9       0    9         6       0       0     0     0     0       0      0
  * dcm shared               9       0    9         6       0       0     0     0     0       0      0
- * dcm emitted              9       0    3         9       0       0     0     0     0       0     19
+ * dcm emitted              9       0    6         6       0       0     0     0     0       0     19
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

@@ -20,19 +20,19 @@
  *              2.5e-15 (scalar), 7.8e-14 (vector), proved over the rationals
  * rounding:    one update is within 1.2e-09 of exact arithmetic, in the norm of the components;
  *              proved
- * high words:  4 of 20 rounded sums of products drop a whole word, 1 before formats were searched
- *              for that; of one update's errors in the first order it made 2.2e-09 of 2.2e-09
+ * high words:  8 of 20 rounded sums of products drop a whole word, 1 before formats were searched
+ *              for that; of one update's errors in the first order it made 2.3e-09 of 2.2e-09
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       44       0   37        13       0       0     0     0     0       0      0
  * update shared           40       4   37        13       0       0     0     0     0       0      0
- * update emitted          40       0   28        19       0       0     0     0     0       0     24
+ * update emitted          40       0   37        10       3       0     0     0     0       0     24
  * dcm as-written           9       0    9         6       0       0     0     0     0       0      0
  * dcm shared               9       0    9         6       0       0     0     0     0       0      0
- * dcm emitted              9       0    3         9       0       0     0     0     0       0     15
+ * dcm emitted              9       0    6         6       0       0     0     0     0       0     15
  * euler as-written        82       0   43        19       9       3     0     0    26      54      0
  * euler shared            54      26   43        19       9       3     0     0    26      54      0
- * euler emitted           54       0   27        34       9       3     0     0    26      85    139
+ * euler emitted           54       0   33        28      11       3     0     0    26      85    139
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

@@ -20,16 +20,16 @@
  *              2.5e-15 (scalar), 5.5e-15 (vector), proved over the rationals
  * rounding:    one update is within 4.3e-09 of exact arithmetic, in the norm of the components,
  *              what is carried included, which does not add up; proved
- * high words:  6 of 16 rounded sums of products drop a whole word, 2 before formats were searched
- *              for that; of one update's errors in the first order it made 4.2e-10 of 4.1e-10
+ * high words:  10 of 16 rounded sums of products drop a whole word, 2 before formats were searched
+ *              for that; of one update's errors in the first order it made 4.4e-10 of 4.1e-10
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       44       0   37        13       0       0     0     0     0       0      0
  * update shared           40       4   37        13       0       0     0     0     0       0      0
- * update emitted          40       0   34        25       0       0     0     0     0       0     34
+ * update emitted          40       0   43        16       3       0     0     0     0       0     34
  * dcm as-written           9       0    9         6       0       0     0     0     0       0      0
  * dcm shared               9       0    9         6       0       0     0     0     0       0      0
- * dcm emitted              9       0    3         9       0       0     0     0     0       0     19
+ * dcm emitted              9       0    6         6       0       0     0     0     0       0     19
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

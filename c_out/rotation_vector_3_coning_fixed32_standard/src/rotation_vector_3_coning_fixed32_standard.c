@@ -17,15 +17,15 @@
  *              as is proved; beyond it nothing is promised: clamp inputs that can be so large
  * truncation:  minimax polynomials of degree 2 (cos) and 2 (sin) in |phi|^2; error of r at most
  *              1.1e-12 (scalar), 7.8e-14 (vector), proved over the rationals
- * rounding:    one update is within 2.7e-09 of exact arithmetic, in the norm of the components;
+ * rounding:    one update is within 2.8e-09 of exact arithmetic, in the norm of the components;
  *              proved
- * high words:  11 of 19 rounded sums of products drop a whole word, 4 before formats were searched
- *              for that; of one update's errors in the first order it made 5.3e-09 of 5.3e-09
+ * high words:  15 of 19 rounded sums of products drop a whole word, 4 before formats were searched
+ *              for that; of one update's errors in the first order it made 5.4e-09 of 5.3e-09
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       43       0   33        13       0       0     0     0     0       0      0
  * update shared           39       4   33        13       0       0     0     0     0       0      0
- * update emitted          39       0   24        18       0       0     0     0     0       0     33
+ * update emitted          39       0   33         9       3       0     0     0     0       0     33
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -51,10 +51,10 @@ static inline int64_t shift_right_64(int64_t x, int bits)
     return ((((int64_t)-1) >> 1) == -1) ? (x >> bits) : ((x < 0) ? ~(~x >> bits) : (x >> bits));
 }
 
-/* x / 2^7, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_7(int64_t x)
+/* x / 2^6, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_6(int64_t x)
 {
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(64)) >> 7);
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(32)) >> 6);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -86,10 +86,10 @@ static inline int32_t round_32(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^36, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_36(int64_t x)
+/* x / 2^34, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_34(int64_t x)
 {
-    return (int32_t)shift_right_64(x + INT64_C(34359738368), 36);
+    return (int32_t)shift_right_64(x + INT64_C(8589934592), 34);
 }
 
 /* x / 2^1, rounded to nearest, halves up. */
@@ -123,13 +123,13 @@ void rotation_vector_3_coning_fixed32_standard_set_quaternion(
 
     /* e = (1 - |q|^2)/2 */
     const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
-    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
-    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
-    const int64_t e_4 = e_2 - e_3;  /* F61 */
-    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
-    const int64_t e_6 = e_4 - e_5;  /* F61 */
-    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
-    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int64_t e_2 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_3 = e_1 + e_2;  /* F61 */
+    const int64_t e_4 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_5 = e_3 + e_4;  /* F61 */
+    const int64_t e_6 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_7 = e_5 + e_6;  /* F61 */
+    const int64_t e_8 = INT64_C(1152921504606846976) /* 1/2 */ - e_7;  /* F61 */
     const int32_t e = round_21(e_8);  /* F40, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -161,10 +161,6 @@ void rotation_vector_3_coning_fixed32_standard_update(
     rotation_vector_3_coning_fixed32_standard_state *state, const int32_t dtheta[9])
 {
     /* attitude and input */
-    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
-    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
-    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
-    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
     const int32_t dtheta1_x = dtheta[0];  /* F34, |x| <= 0.0334 */
     const int32_t dtheta1_y = dtheta[1];  /* F34, |x| <= 0.0334 */
     const int32_t dtheta1_z = dtheta[2];  /* F34, |x| <= 0.0334 */
@@ -198,35 +194,35 @@ void rotation_vector_3_coning_fixed32_standard_update(
 
     /* k = 9/40 d   [cao (12)] */
     const int64_t k_x_1 = (int64_t)1932735283 /* 9/40 */ * d_x;  /* F67 */
-    const int32_t k_x = round_30(k_x_1);  /* F37, |x| <= 0.0151 */
+    const int32_t k_x = round_32(k_x_1);  /* F35, |x| <= 0.0151 */
     const int64_t k_y_1 = (int64_t)1932735283 /* 9/40 */ * d_y;  /* F67 */
-    const int32_t k_y = round_30(k_y_1);  /* F37, |x| <= 0.0151 */
+    const int32_t k_y = round_32(k_y_1);  /* F35, |x| <= 0.0151 */
     const int64_t k_z_1 = (int64_t)1932735283 /* 9/40 */ * d_z;  /* F67 */
-    const int32_t k_z = round_30(k_z_1);  /* F37, |x| <= 0.0151 */
+    const int32_t k_z = round_32(k_z_1);  /* F35, |x| <= 0.0151 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_x_1 = (int64_t)g_y * k_z;  /* F70 */
-    const int64_t coning_x_2 = (int64_t)g_z * k_y;  /* F70 */
-    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F70 */
-    const int32_t coning_x = round_36(coning_x_3);  /* F34, |x| <= 0.00251 */
+    const int64_t coning_x_1 = (int64_t)g_y * k_z;  /* F68 */
+    const int64_t coning_x_2 = (int64_t)g_z * k_y;  /* F68 */
+    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F68 */
+    const int32_t coning_x = round_34(coning_x_3);  /* F34, |x| <= 0.00251 */
 
     /* phi = S + coning   [cao (12)] */
     const int32_t phi_x = S_x + coning_x;  /* F34, |x| <= 0.103 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F70 */
-    const int64_t coning_y_2 = (int64_t)g_x * k_z;  /* F70 */
-    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F70 */
-    const int32_t coning_y = round_36(coning_y_3);  /* F34, |x| <= 0.00251 */
+    const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F68 */
+    const int64_t coning_y_2 = (int64_t)g_x * k_z;  /* F68 */
+    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F68 */
+    const int32_t coning_y = round_34(coning_y_3);  /* F34, |x| <= 0.00251 */
 
     /* phi = S + coning   [cao (12)] */
     const int32_t phi_y = S_y + coning_y;  /* F34, |x| <= 0.103 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F70 */
-    const int64_t coning_z_2 = (int64_t)g_y * k_x;  /* F70 */
-    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F70 */
-    const int32_t coning_z = round_36(coning_z_3);  /* F34, |x| <= 0.00251 */
+    const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F68 */
+    const int64_t coning_z_2 = (int64_t)g_y * k_x;  /* F68 */
+    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F68 */
+    const int32_t coning_z = round_34(coning_z_3);  /* F34, |x| <= 0.00251 */
 
     /* phi = S + coning   [cao (12)] */
     const int32_t phi_z = S_z + coning_z;  /* F34, |x| <= 0.103 */
@@ -249,34 +245,34 @@ void rotation_vector_3_coning_fixed32_standard_update(
     const int64_t y_2 = y_1 - INT64_C(384307165617423277) /* 3097422/148676257 */;  /* F64 */
     const int32_t y_3 = round_32(y_2);  /* F32, |x| <= 0.0209 */
     const int64_t y_4 = (int64_t)phi_square * y_3;  /* F68 */
-    const int32_t y = round_31(y_4);  /* F37, |x| <= 0.000218 */
+    const int32_t y = round_32(y_4);  /* F36, |x| <= 0.000218 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F71 */
-    const int32_t bent_x = round_32(bent_x_1);  /* F39, |x| <= 2.23e-05 */
+    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F70 */
+    const int32_t bent_x = round_32(bent_x_1);  /* F38, |x| <= 2.23e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_x_1 = phi_x * INT64_C(16);  /* F39 */
-    const int64_t v_x_2 = v_x_1 + bent_x;  /* F39 */
-    const int32_t v_x = round_7(v_x_2);  /* F32, |x| <= 0.0512 */
+    const int64_t v_x_1 = phi_x * INT64_C(8);  /* F38 */
+    const int64_t v_x_2 = v_x_1 + bent_x;  /* F38 */
+    const int32_t v_x = round_6(v_x_2);  /* F32, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F71 */
-    const int32_t bent_y = round_32(bent_y_1);  /* F39, |x| <= 2.23e-05 */
+    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F70 */
+    const int32_t bent_y = round_32(bent_y_1);  /* F38, |x| <= 2.23e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_y_1 = phi_y * INT64_C(16);  /* F39 */
-    const int64_t v_y_2 = v_y_1 + bent_y;  /* F39 */
-    const int32_t v_y = round_7(v_y_2);  /* F32, |x| <= 0.0512 */
+    const int64_t v_y_1 = phi_y * INT64_C(8);  /* F38 */
+    const int64_t v_y_2 = v_y_1 + bent_y;  /* F38 */
+    const int32_t v_y = round_6(v_y_2);  /* F32, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F71 */
-    const int32_t bent_z = round_32(bent_z_1);  /* F39, |x| <= 2.23e-05 */
+    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F70 */
+    const int32_t bent_z = round_32(bent_z_1);  /* F38, |x| <= 2.23e-05 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int64_t v_z_1 = phi_z * INT64_C(16);  /* F39 */
-    const int64_t v_z_2 = v_z_1 + bent_z;  /* F39 */
-    const int32_t v_z = round_7(v_z_2);  /* F32, |x| <= 0.0512 */
+    const int64_t v_z_1 = phi_z * INT64_C(8);  /* F38 */
+    const int64_t v_z_2 = v_z_1 + bent_z;  /* F38 */
+    const int32_t v_z = round_6(v_z_2);  /* F32, |x| <= 0.0512 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
     const int64_t u_4 = (int64_t)phi_square * u_3;  /* F66 */
@@ -285,25 +281,36 @@ void rotation_vector_3_coning_fixed32_standard_update(
     /* r = [1 + a, v] */
     const int64_t r_w_1 = u * INT64_C(134217728);  /* F61 */
     const int64_t r_w_2 = INT64_C(3458764513820540928) /* 3/2 */ + r_w_1;  /* F61 */
+
+    /* attitude and input */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.01 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.01 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.01 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.01 */
+
+    /* r = [1 + a, v] */
     const int64_t r_w_3 = (int64_t)q_w * q_w;  /* F60 */
-    const int64_t r_w_4 = r_w_2 - r_w_3;  /* F61 */
-    const int64_t r_w_5 = (int64_t)q_x * q_x;  /* F60 */
-    const int64_t r_w_6 = r_w_4 - r_w_5;  /* F61 */
-    const int64_t r_w_7 = (int64_t)q_y * q_y;  /* F60 */
-    const int64_t r_w_8 = r_w_6 - r_w_7;  /* F61 */
-    const int64_t r_w_9 = (int64_t)q_z * q_z;  /* F60 */
-    const int64_t r_w_10 = r_w_8 - r_w_9;  /* F61 */
+    const int64_t r_w_4 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t r_w_5 = r_w_3 + r_w_4;  /* F61 */
+    const int64_t r_w_6 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t r_w_7 = r_w_5 + r_w_6;  /* F61 */
+    const int64_t r_w_8 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t r_w_9 = r_w_7 + r_w_8;  /* F61 */
+    const int64_t r_w_10 = r_w_2 - r_w_9;  /* F61 */
     const int32_t r_w = round_31(r_w_10);  /* F30, |x| <= 1.01 */
 
     /* q_next = q (x) r   [cao (14)] */
+    const int32_t q_x_negated = -q_x;  /* F30 */
+    const int32_t q_y_negated = -q_y;  /* F30 */
+    const int32_t q_z_negated = -q_z;  /* F30 */
     const int64_t q_next_w_1 = (int64_t)q_w * r_w;  /* F60 */
     const int64_t q_next_w_2 = q_next_w_1 * INT64_C(4);  /* F62 */
-    const int64_t q_next_w_3 = (int64_t)q_x * v_x;  /* F62 */
-    const int64_t q_next_w_4 = q_next_w_2 - q_next_w_3;  /* F62 */
-    const int64_t q_next_w_5 = (int64_t)q_y * v_y;  /* F62 */
-    const int64_t q_next_w_6 = q_next_w_4 - q_next_w_5;  /* F62 */
-    const int64_t q_next_w_7 = (int64_t)q_z * v_z;  /* F62 */
-    const int64_t q_next_w_8 = q_next_w_6 - q_next_w_7;  /* F62 */
+    const int64_t q_next_w_3 = (int64_t)q_x_negated * v_x;  /* F62 */
+    const int64_t q_next_w_4 = q_next_w_2 + q_next_w_3;  /* F62 */
+    const int64_t q_next_w_5 = (int64_t)q_y_negated * v_y;  /* F62 */
+    const int64_t q_next_w_6 = q_next_w_4 + q_next_w_5;  /* F62 */
+    const int64_t q_next_w_7 = (int64_t)q_z_negated * v_z;  /* F62 */
+    const int64_t q_next_w_8 = q_next_w_6 + q_next_w_7;  /* F62 */
     const int32_t q_next_w = round_32(q_next_w_8);  /* F30, |x| <= 1.01 */
     const int64_t q_next_x_1 = (int64_t)q_w * v_x;  /* F62 */
     const int64_t q_next_x_2 = (int64_t)q_x * r_w;  /* F60 */
@@ -311,8 +318,8 @@ void rotation_vector_3_coning_fixed32_standard_update(
     const int64_t q_next_x_4 = q_next_x_1 + q_next_x_3;  /* F62 */
     const int64_t q_next_x_5 = (int64_t)q_y * v_z;  /* F62 */
     const int64_t q_next_x_6 = q_next_x_4 + q_next_x_5;  /* F62 */
-    const int64_t q_next_x_7 = (int64_t)q_z * v_y;  /* F62 */
-    const int64_t q_next_x_8 = q_next_x_6 - q_next_x_7;  /* F62 */
+    const int64_t q_next_x_7 = (int64_t)q_z_negated * v_y;  /* F62 */
+    const int64_t q_next_x_8 = q_next_x_6 + q_next_x_7;  /* F62 */
     const int32_t q_next_x = round_32(q_next_x_8);  /* F30, |x| <= 1.01 */
     const int64_t q_next_y_1 = (int64_t)q_w * v_y;  /* F62 */
     const int64_t q_next_y_2 = (int64_t)q_y * r_w;  /* F60 */
@@ -320,8 +327,8 @@ void rotation_vector_3_coning_fixed32_standard_update(
     const int64_t q_next_y_4 = q_next_y_1 + q_next_y_3;  /* F62 */
     const int64_t q_next_y_5 = (int64_t)q_z * v_x;  /* F62 */
     const int64_t q_next_y_6 = q_next_y_4 + q_next_y_5;  /* F62 */
-    const int64_t q_next_y_7 = (int64_t)q_x * v_z;  /* F62 */
-    const int64_t q_next_y_8 = q_next_y_6 - q_next_y_7;  /* F62 */
+    const int64_t q_next_y_7 = (int64_t)q_x_negated * v_z;  /* F62 */
+    const int64_t q_next_y_8 = q_next_y_6 + q_next_y_7;  /* F62 */
     const int32_t q_next_y = round_32(q_next_y_8);  /* F30, |x| <= 1.01 */
     const int64_t q_next_z_1 = (int64_t)q_w * v_z;  /* F62 */
     const int64_t q_next_z_2 = (int64_t)q_z * r_w;  /* F60 */
@@ -329,8 +336,8 @@ void rotation_vector_3_coning_fixed32_standard_update(
     const int64_t q_next_z_4 = q_next_z_1 + q_next_z_3;  /* F62 */
     const int64_t q_next_z_5 = (int64_t)q_x * v_y;  /* F62 */
     const int64_t q_next_z_6 = q_next_z_4 + q_next_z_5;  /* F62 */
-    const int64_t q_next_z_7 = (int64_t)q_y * v_x;  /* F62 */
-    const int64_t q_next_z_8 = q_next_z_6 - q_next_z_7;  /* F62 */
+    const int64_t q_next_z_7 = (int64_t)q_y_negated * v_x;  /* F62 */
+    const int64_t q_next_z_8 = q_next_z_6 + q_next_z_7;  /* F62 */
     const int32_t q_next_z = round_32(q_next_z_8);  /* F30, |x| <= 1.01 */
 
     /* store */

@@ -18,16 +18,16 @@
  *              beyond it is clamped to it
  * truncation:  minimax polynomials of degree 3 (cos) and 2 (sin) in |phi|^2; error of r at most
  *              2.2e-14 (scalar), 3.1e-12 (vector), proved over the rationals
- * rounding:    one update is within 3.1e-09 of exact arithmetic, in the norm of the components;
+ * rounding:    one update is within 3.3e-09 of exact arithmetic, in the norm of the components;
  *              proved
- * high words:  11 of 29 rounded sums of products drop a whole word, 11 before formats were
- *              searched for that; of one update's errors in the first order it made 3.3e-09 of
+ * high words:  17 of 29 rounded sums of products drop a whole word, 11 before formats were
+ *              searched for that; of one update's errors in the first order it made 3.4e-09 of
  *              3.3e-09
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       80       0   64        13       0       0     0     0     0       0      0
  * update shared           76       4   64        13       0       0     0     0     0       0      0
- * update emitted          76       0   43        31       0       0     0     0     0       9     78
+ * update emitted          76       0   55        19       3       0     0     0     0       9     63
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -80,10 +80,10 @@ static inline int32_t round_21(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^26, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_26(int64_t x)
+/* x / 2^27, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_27(int64_t x)
 {
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(33554432)) >> 26);
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(67108864)) >> 27);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -94,18 +94,17 @@ static inline int32_t round_30(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^31, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_31(int64_t x)
-{
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(1073741824)) >> 31);
-    return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
-}
-
 /* x / 2^32, rounded to nearest, halves up; the result fits 32 bits. */
 static inline int32_t round_32(int64_t x)
 {
     const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(2147483648)) >> 32);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
+}
+
+/* x / 2^34, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_34(int64_t x)
+{
+    return (int32_t)shift_right_64(x + INT64_C(8589934592), 34);
 }
 
 /* x / 2^35, rounded to nearest, halves up; the result fits 32 bits. */
@@ -120,22 +119,16 @@ static inline int32_t round_36(int64_t x)
     return (int32_t)shift_right_64(x + INT64_C(34359738368), 36);
 }
 
-/* x / 2^41, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_41(int64_t x)
+/* x / 2^40, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_40(int64_t x)
 {
-    return (int32_t)shift_right_64(x + INT64_C(1099511627776), 41);
+    return (int32_t)shift_right_64(x + INT64_C(549755813888), 40);
 }
 
 /* x / 2^1, rounded to nearest, halves up. */
 static inline int32_t round_short_1(int32_t x)
 {
     return shift_right_32(x + 1, 1);
-}
-
-/* x / 2^9, rounded to nearest, halves up. */
-static inline int32_t round_short_9(int32_t x)
-{
-    return shift_right_32(x + 256, 9);
 }
 
 /* x / 2^10, rounded to nearest, halves up. */
@@ -166,13 +159,13 @@ void rotation_vector_3_coning_rate_fixed32_set_quaternion(
 
     /* e = (1 - |q|^2)/2 */
     const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
-    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
-    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
-    const int64_t e_4 = e_2 - e_3;  /* F61 */
-    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
-    const int64_t e_6 = e_4 - e_5;  /* F61 */
-    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
-    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int64_t e_2 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_3 = e_1 + e_2;  /* F61 */
+    const int64_t e_4 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_5 = e_3 + e_4;  /* F61 */
+    const int64_t e_6 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_7 = e_5 + e_6;  /* F61 */
+    const int64_t e_8 = INT64_C(1152921504606846976) /* 1/2 */ - e_7;  /* F61 */
     const int32_t e = round_21(e_8);  /* F40, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -220,10 +213,6 @@ void rotation_vector_3_coning_rate_fixed32_update(
     rotation_vector_3_coning_rate_fixed32_state *state, const int32_t omega[9])
 {
     /* attitude and input */
-    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.02 */
-    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.02 */
-    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.02 */
-    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.02 */
     const int32_t omega1_x = omega[0];  /* F25, |x| <= 64 */
     const int32_t omega1_y = omega[1];  /* F25, |x| <= 64 */
     const int32_t omega1_z = omega[2];  /* F25, |x| <= 64 */
@@ -256,100 +245,100 @@ void rotation_vector_3_coning_rate_fixed32_update(
     const int64_t theta1_x_6 = (int64_t)1450744509 /* 19/7200 */ * theta1_x_1;  /* F64 */
     const int64_t theta1_x_7 = theta1_x_6 * INT64_C(8);  /* F67 */
     const int64_t theta1_x_8 = theta1_x_5 + theta1_x_7;  /* F67 */
-    const int64_t theta1_x_9 = (int64_t)1527099483 /* 1/1440 */ * theta1_x_2;  /* F66 */
-    const int64_t theta1_x_10 = theta1_x_9 * INT64_C(2);  /* F67 */
-    const int64_t theta1_x_11 = theta1_x_8 - theta1_x_10;  /* F67 */
-    const int64_t theta1_x_12 = (int64_t)610839793 /* 1/7200 */ * theta1_x_3;  /* F67 */
-    const int64_t theta1_x_13 = theta1_x_11 + theta1_x_12;  /* F67 */
+    const int64_t theta1_x_9 = (int64_t)610839793 /* 1/7200 */ * theta1_x_3;  /* F67 */
+    const int64_t theta1_x_10 = theta1_x_8 + theta1_x_9;  /* F67 */
+    const int64_t theta1_x_11 = (int64_t)1527099483 /* 1/1440 */ * theta1_x_2;  /* F66 */
+    const int64_t theta1_x_12 = theta1_x_11 * INT64_C(2);  /* F67 */
+    const int64_t theta1_x_13 = theta1_x_10 - theta1_x_12;  /* F67 */
     const int32_t theta1_x = round_32(theta1_x_13);  /* F35, |x| <= 0.0564 */
     const int64_t theta1_y_4 = (int64_t)1374389535 /* 1/800 */ * omega_last_y;  /* F65 */
     const int64_t theta1_y_5 = theta1_y_4 * INT64_C(4);  /* F67 */
     const int64_t theta1_y_6 = (int64_t)1450744509 /* 19/7200 */ * theta1_y_1;  /* F64 */
     const int64_t theta1_y_7 = theta1_y_6 * INT64_C(8);  /* F67 */
     const int64_t theta1_y_8 = theta1_y_5 + theta1_y_7;  /* F67 */
-    const int64_t theta1_y_9 = (int64_t)1527099483 /* 1/1440 */ * theta1_y_2;  /* F66 */
-    const int64_t theta1_y_10 = theta1_y_9 * INT64_C(2);  /* F67 */
-    const int64_t theta1_y_11 = theta1_y_8 - theta1_y_10;  /* F67 */
-    const int64_t theta1_y_12 = (int64_t)610839793 /* 1/7200 */ * theta1_y_3;  /* F67 */
-    const int64_t theta1_y_13 = theta1_y_11 + theta1_y_12;  /* F67 */
+    const int64_t theta1_y_9 = (int64_t)610839793 /* 1/7200 */ * theta1_y_3;  /* F67 */
+    const int64_t theta1_y_10 = theta1_y_8 + theta1_y_9;  /* F67 */
+    const int64_t theta1_y_11 = (int64_t)1527099483 /* 1/1440 */ * theta1_y_2;  /* F66 */
+    const int64_t theta1_y_12 = theta1_y_11 * INT64_C(2);  /* F67 */
+    const int64_t theta1_y_13 = theta1_y_10 - theta1_y_12;  /* F67 */
     const int32_t theta1_y = round_32(theta1_y_13);  /* F35, |x| <= 0.0564 */
     const int64_t theta1_z_4 = (int64_t)1374389535 /* 1/800 */ * omega_last_z;  /* F65 */
     const int64_t theta1_z_5 = theta1_z_4 * INT64_C(4);  /* F67 */
     const int64_t theta1_z_6 = (int64_t)1450744509 /* 19/7200 */ * theta1_z_1;  /* F64 */
     const int64_t theta1_z_7 = theta1_z_6 * INT64_C(8);  /* F67 */
     const int64_t theta1_z_8 = theta1_z_5 + theta1_z_7;  /* F67 */
-    const int64_t theta1_z_9 = (int64_t)1527099483 /* 1/1440 */ * theta1_z_2;  /* F66 */
-    const int64_t theta1_z_10 = theta1_z_9 * INT64_C(2);  /* F67 */
-    const int64_t theta1_z_11 = theta1_z_8 - theta1_z_10;  /* F67 */
-    const int64_t theta1_z_12 = (int64_t)610839793 /* 1/7200 */ * theta1_z_3;  /* F67 */
-    const int64_t theta1_z_13 = theta1_z_11 + theta1_z_12;  /* F67 */
+    const int64_t theta1_z_9 = (int64_t)610839793 /* 1/7200 */ * theta1_z_3;  /* F67 */
+    const int64_t theta1_z_10 = theta1_z_8 + theta1_z_9;  /* F67 */
+    const int64_t theta1_z_11 = (int64_t)1527099483 /* 1/1440 */ * theta1_z_2;  /* F66 */
+    const int64_t theta1_z_12 = theta1_z_11 * INT64_C(2);  /* F67 */
+    const int64_t theta1_z_13 = theta1_z_10 - theta1_z_12;  /* F67 */
     const int32_t theta1_z = round_32(theta1_z_13);  /* F35, |x| <= 0.0564 */
 
     /* theta2 = T (- 1/72 w0 + 13/72 w1 + 13/72 w2 - 1/72 w3)   [polynomial through all samples] */
     const int64_t theta2_x_1 = (int64_t)124076833 /* 13/7200 */ * theta1_x_1;  /* F61 */
     const int64_t theta2_x_2 = theta2_x_1 * INT64_C(64);  /* F67 */
-    const int64_t theta2_x_3 = (int64_t)610839793 /* 1/7200 */ * omega_last_x;  /* F67 */
-    const int64_t theta2_x_4 = theta2_x_2 - theta2_x_3;  /* F67 */
-    const int64_t theta2_x_5 = (int64_t)124076833 /* 13/7200 */ * theta1_x_2;  /* F61 */
-    const int64_t theta2_x_6 = theta2_x_5 * INT64_C(64);  /* F67 */
-    const int64_t theta2_x_7 = theta2_x_4 + theta2_x_6;  /* F67 */
-    const int64_t theta2_x_8 = (int64_t)610839793 /* 1/7200 */ * theta1_x_3;  /* F67 */
-    const int64_t theta2_x_9 = theta2_x_7 - theta2_x_8;  /* F67 */
+    const int64_t theta2_x_3 = (int64_t)124076833 /* 13/7200 */ * theta1_x_2;  /* F61 */
+    const int64_t theta2_x_4 = theta2_x_3 * INT64_C(64);  /* F67 */
+    const int64_t theta2_x_5 = theta2_x_2 + theta2_x_4;  /* F67 */
+    const int64_t theta2_x_6 = (int64_t)610839793 /* 1/7200 */ * omega_last_x;  /* F67 */
+    const int64_t theta2_x_7 = (int64_t)610839793 /* 1/7200 */ * theta1_x_3;  /* F67 */
+    const int64_t theta2_x_8 = theta2_x_6 + theta2_x_7;  /* F67 */
+    const int64_t theta2_x_9 = theta2_x_5 - theta2_x_8;  /* F67 */
     const int32_t theta2_x = round_32(theta2_x_9);  /* F35, |x| <= 0.04 */
     const int64_t theta2_y_1 = (int64_t)124076833 /* 13/7200 */ * theta1_y_1;  /* F61 */
     const int64_t theta2_y_2 = theta2_y_1 * INT64_C(64);  /* F67 */
-    const int64_t theta2_y_3 = (int64_t)610839793 /* 1/7200 */ * omega_last_y;  /* F67 */
-    const int64_t theta2_y_4 = theta2_y_2 - theta2_y_3;  /* F67 */
-    const int64_t theta2_y_5 = (int64_t)124076833 /* 13/7200 */ * theta1_y_2;  /* F61 */
-    const int64_t theta2_y_6 = theta2_y_5 * INT64_C(64);  /* F67 */
-    const int64_t theta2_y_7 = theta2_y_4 + theta2_y_6;  /* F67 */
-    const int64_t theta2_y_8 = (int64_t)610839793 /* 1/7200 */ * theta1_y_3;  /* F67 */
-    const int64_t theta2_y_9 = theta2_y_7 - theta2_y_8;  /* F67 */
+    const int64_t theta2_y_3 = (int64_t)124076833 /* 13/7200 */ * theta1_y_2;  /* F61 */
+    const int64_t theta2_y_4 = theta2_y_3 * INT64_C(64);  /* F67 */
+    const int64_t theta2_y_5 = theta2_y_2 + theta2_y_4;  /* F67 */
+    const int64_t theta2_y_6 = (int64_t)610839793 /* 1/7200 */ * omega_last_y;  /* F67 */
+    const int64_t theta2_y_7 = (int64_t)610839793 /* 1/7200 */ * theta1_y_3;  /* F67 */
+    const int64_t theta2_y_8 = theta2_y_6 + theta2_y_7;  /* F67 */
+    const int64_t theta2_y_9 = theta2_y_5 - theta2_y_8;  /* F67 */
     const int32_t theta2_y = round_32(theta2_y_9);  /* F35, |x| <= 0.04 */
     const int64_t theta2_z_1 = (int64_t)124076833 /* 13/7200 */ * theta1_z_1;  /* F61 */
     const int64_t theta2_z_2 = theta2_z_1 * INT64_C(64);  /* F67 */
-    const int64_t theta2_z_3 = (int64_t)610839793 /* 1/7200 */ * omega_last_z;  /* F67 */
-    const int64_t theta2_z_4 = theta2_z_2 - theta2_z_3;  /* F67 */
-    const int64_t theta2_z_5 = (int64_t)124076833 /* 13/7200 */ * theta1_z_2;  /* F61 */
-    const int64_t theta2_z_6 = theta2_z_5 * INT64_C(64);  /* F67 */
-    const int64_t theta2_z_7 = theta2_z_4 + theta2_z_6;  /* F67 */
-    const int64_t theta2_z_8 = (int64_t)610839793 /* 1/7200 */ * theta1_z_3;  /* F67 */
-    const int64_t theta2_z_9 = theta2_z_7 - theta2_z_8;  /* F67 */
+    const int64_t theta2_z_3 = (int64_t)124076833 /* 13/7200 */ * theta1_z_2;  /* F61 */
+    const int64_t theta2_z_4 = theta2_z_3 * INT64_C(64);  /* F67 */
+    const int64_t theta2_z_5 = theta2_z_2 + theta2_z_4;  /* F67 */
+    const int64_t theta2_z_6 = (int64_t)610839793 /* 1/7200 */ * omega_last_z;  /* F67 */
+    const int64_t theta2_z_7 = (int64_t)610839793 /* 1/7200 */ * theta1_z_3;  /* F67 */
+    const int64_t theta2_z_8 = theta2_z_6 + theta2_z_7;  /* F67 */
+    const int64_t theta2_z_9 = theta2_z_5 - theta2_z_8;  /* F67 */
     const int32_t theta2_z = round_32(theta2_z_9);  /* F35, |x| <= 0.04 */
 
     /* theta3 = T (1/72 w0 - 5/72 w1 + 19/72 w2 + 1/8 w3)   [polynomial through all samples] */
     const int64_t theta3_x_1 = (int64_t)610839793 /* 1/7200 */ * omega_last_x;  /* F67 */
-    const int64_t theta3_x_2 = (int64_t)1527099483 /* 1/1440 */ * theta1_x_1;  /* F66 */
-    const int64_t theta3_x_3 = theta3_x_2 * INT64_C(2);  /* F67 */
-    const int64_t theta3_x_4 = theta3_x_1 - theta3_x_3;  /* F67 */
-    const int64_t theta3_x_5 = (int64_t)1450744509 /* 19/7200 */ * theta1_x_2;  /* F64 */
-    const int64_t theta3_x_6 = theta3_x_5 * INT64_C(8);  /* F67 */
+    const int64_t theta3_x_2 = (int64_t)1450744509 /* 19/7200 */ * theta1_x_2;  /* F64 */
+    const int64_t theta3_x_3 = theta3_x_2 * INT64_C(8);  /* F67 */
+    const int64_t theta3_x_4 = theta3_x_1 + theta3_x_3;  /* F67 */
+    const int64_t theta3_x_5 = (int64_t)1374389535 /* 1/800 */ * theta1_x_3;  /* F65 */
+    const int64_t theta3_x_6 = theta3_x_5 * INT64_C(4);  /* F67 */
     const int64_t theta3_x_7 = theta3_x_4 + theta3_x_6;  /* F67 */
-    const int64_t theta3_x_8 = (int64_t)1374389535 /* 1/800 */ * theta1_x_3;  /* F65 */
-    const int64_t theta3_x_9 = theta3_x_8 * INT64_C(4);  /* F67 */
-    const int64_t theta3_x_10 = theta3_x_7 + theta3_x_9;  /* F67 */
+    const int64_t theta3_x_8 = (int64_t)1527099483 /* 1/1440 */ * theta1_x_1;  /* F66 */
+    const int64_t theta3_x_9 = theta3_x_8 * INT64_C(2);  /* F67 */
+    const int64_t theta3_x_10 = theta3_x_7 - theta3_x_9;  /* F67 */
     const int32_t theta3_x = round_32(theta3_x_10);  /* F35, |x| <= 0.0483 */
     const int64_t theta3_y_1 = (int64_t)610839793 /* 1/7200 */ * omega_last_y;  /* F67 */
-    const int64_t theta3_y_2 = (int64_t)1527099483 /* 1/1440 */ * theta1_y_1;  /* F66 */
-    const int64_t theta3_y_3 = theta3_y_2 * INT64_C(2);  /* F67 */
-    const int64_t theta3_y_4 = theta3_y_1 - theta3_y_3;  /* F67 */
-    const int64_t theta3_y_5 = (int64_t)1450744509 /* 19/7200 */ * theta1_y_2;  /* F64 */
-    const int64_t theta3_y_6 = theta3_y_5 * INT64_C(8);  /* F67 */
+    const int64_t theta3_y_2 = (int64_t)1450744509 /* 19/7200 */ * theta1_y_2;  /* F64 */
+    const int64_t theta3_y_3 = theta3_y_2 * INT64_C(8);  /* F67 */
+    const int64_t theta3_y_4 = theta3_y_1 + theta3_y_3;  /* F67 */
+    const int64_t theta3_y_5 = (int64_t)1374389535 /* 1/800 */ * theta1_y_3;  /* F65 */
+    const int64_t theta3_y_6 = theta3_y_5 * INT64_C(4);  /* F67 */
     const int64_t theta3_y_7 = theta3_y_4 + theta3_y_6;  /* F67 */
-    const int64_t theta3_y_8 = (int64_t)1374389535 /* 1/800 */ * theta1_y_3;  /* F65 */
-    const int64_t theta3_y_9 = theta3_y_8 * INT64_C(4);  /* F67 */
-    const int64_t theta3_y_10 = theta3_y_7 + theta3_y_9;  /* F67 */
+    const int64_t theta3_y_8 = (int64_t)1527099483 /* 1/1440 */ * theta1_y_1;  /* F66 */
+    const int64_t theta3_y_9 = theta3_y_8 * INT64_C(2);  /* F67 */
+    const int64_t theta3_y_10 = theta3_y_7 - theta3_y_9;  /* F67 */
     const int32_t theta3_y = round_32(theta3_y_10);  /* F35, |x| <= 0.0483 */
     const int64_t theta3_z_1 = (int64_t)610839793 /* 1/7200 */ * omega_last_z;  /* F67 */
-    const int64_t theta3_z_2 = (int64_t)1527099483 /* 1/1440 */ * theta1_z_1;  /* F66 */
-    const int64_t theta3_z_3 = theta3_z_2 * INT64_C(2);  /* F67 */
-    const int64_t theta3_z_4 = theta3_z_1 - theta3_z_3;  /* F67 */
-    const int64_t theta3_z_5 = (int64_t)1450744509 /* 19/7200 */ * theta1_z_2;  /* F64 */
-    const int64_t theta3_z_6 = theta3_z_5 * INT64_C(8);  /* F67 */
+    const int64_t theta3_z_2 = (int64_t)1450744509 /* 19/7200 */ * theta1_z_2;  /* F64 */
+    const int64_t theta3_z_3 = theta3_z_2 * INT64_C(8);  /* F67 */
+    const int64_t theta3_z_4 = theta3_z_1 + theta3_z_3;  /* F67 */
+    const int64_t theta3_z_5 = (int64_t)1374389535 /* 1/800 */ * theta1_z_3;  /* F65 */
+    const int64_t theta3_z_6 = theta3_z_5 * INT64_C(4);  /* F67 */
     const int64_t theta3_z_7 = theta3_z_4 + theta3_z_6;  /* F67 */
-    const int64_t theta3_z_8 = (int64_t)1374389535 /* 1/800 */ * theta1_z_3;  /* F65 */
-    const int64_t theta3_z_9 = theta3_z_8 * INT64_C(4);  /* F67 */
-    const int64_t theta3_z_10 = theta3_z_7 + theta3_z_9;  /* F67 */
+    const int64_t theta3_z_8 = (int64_t)1527099483 /* 1/1440 */ * theta1_z_1;  /* F66 */
+    const int64_t theta3_z_9 = theta3_z_8 * INT64_C(2);  /* F67 */
+    const int64_t theta3_z_10 = theta3_z_7 - theta3_z_9;  /* F67 */
     const int32_t theta3_z = round_32(theta3_z_10);  /* F35, |x| <= 0.0483 */
 
     /* d = theta_3 - theta_1 */
@@ -381,35 +370,35 @@ void rotation_vector_3_coning_rate_fixed32_update(
 
     /* k = 9/40 d   [cao (12)] */
     const int64_t k_x_1 = (int64_t)1932735283 /* 9/40 */ * d_x;  /* F67 */
-    const int32_t k_x = round_31(k_x_1);  /* F36, |x| <= 0.0236 */
+    const int32_t k_x = round_32(k_x_1);  /* F35, |x| <= 0.0236 */
     const int64_t k_y_1 = (int64_t)1932735283 /* 9/40 */ * d_y;  /* F67 */
-    const int32_t k_y = round_31(k_y_1);  /* F36, |x| <= 0.0236 */
+    const int32_t k_y = round_32(k_y_1);  /* F35, |x| <= 0.0236 */
     const int64_t k_z_1 = (int64_t)1932735283 /* 9/40 */ * d_z;  /* F67 */
-    const int32_t k_z = round_31(k_z_1);  /* F36, |x| <= 0.0236 */
+    const int32_t k_z = round_32(k_z_1);  /* F35, |x| <= 0.0236 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_x_1 = (int64_t)g_y * k_z;  /* F69 */
-    const int64_t coning_x_2 = (int64_t)g_z * k_y;  /* F69 */
-    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F69 */
-    const int32_t coning_x = round_36(coning_x_3);  /* F33, |x| <= 0.0106 */
+    const int64_t coning_x_1 = (int64_t)g_y * k_z;  /* F68 */
+    const int64_t coning_x_2 = (int64_t)g_z * k_y;  /* F68 */
+    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F68 */
+    const int32_t coning_x = round_35(coning_x_3);  /* F33, |x| <= 0.0106 */
 
     /* phi = S + coning   [cao (12)] */
     const int32_t phi_x = S_x + coning_x;  /* F33, |x| <= 0.156 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F69 */
-    const int64_t coning_y_2 = (int64_t)g_x * k_z;  /* F69 */
-    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F69 */
-    const int32_t coning_y = round_36(coning_y_3);  /* F33, |x| <= 0.0106 */
+    const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F68 */
+    const int64_t coning_y_2 = (int64_t)g_x * k_z;  /* F68 */
+    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F68 */
+    const int32_t coning_y = round_35(coning_y_3);  /* F33, |x| <= 0.0106 */
 
     /* phi = S + coning   [cao (12)] */
     const int32_t phi_y = S_y + coning_y;  /* F33, |x| <= 0.156 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F69 */
-    const int64_t coning_z_2 = (int64_t)g_y * k_x;  /* F69 */
-    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F69 */
-    const int32_t coning_z = round_36(coning_z_3);  /* F33, |x| <= 0.0106 */
+    const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F68 */
+    const int64_t coning_z_2 = (int64_t)g_y * k_x;  /* F68 */
+    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F68 */
+    const int32_t coning_z = round_35(coning_z_3);  /* F33, |x| <= 0.0106 */
 
     /* phi = S + coning   [cao (12)] */
     const int32_t phi_z = S_z + coning_z;  /* F33, |x| <= 0.156 */
@@ -420,124 +409,120 @@ void rotation_vector_3_coning_rate_fixed32_update(
     const int64_t phi_square_3 = phi_square_1 + phi_square_2;  /* F66 */
     const int64_t phi_square_4 = (int64_t)phi_z * phi_z;  /* F66 */
     const int64_t phi_square_5 = phi_square_3 + phi_square_4;  /* F66 */
-    const int32_t phi_square = round_31(phi_square_5);  /* F35, |x| <= 0.0598 */
+    const int32_t phi_square = round_32(phi_square_5);  /* F34, |x| <= 0.0598 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
-    const int64_t u_1 = (int64_t)1490459 /* 4/184425 */ * phi_square;  /* F71 */
-    const int64_t u_2 = INT64_C(6148913566742433868) /* 14240/5468161 */ - u_1;  /* F71 */
-    const int32_t u_3 = round_41(u_2);  /* F30, |x| <= 0.00261 */
-    const int64_t u_4 = (int64_t)phi_square * u_3;  /* F65 */
-    const int64_t u_5 = u_4 - INT64_C(4611686018231023109) /* 2935662433/23485299465 */;  /* F65 */
-    const int32_t u_6 = round_32(u_5);  /* F33, |x| <= 0.126 */
+    const int64_t u_1 = (int64_t)1490459 /* 4/184425 */ * phi_square;  /* F70 */
+    const int64_t u_2 = INT64_C(3074456783371216934) /* 14240/5468161 */ - u_1;  /* F70 */
+    const int32_t u_3 = round_40(u_2);  /* F30, |x| <= 0.00261 */
+    const int64_t u_4 = (int64_t)phi_square * u_3;  /* F64 */
+    const int64_t u_5 = u_4 - INT64_C(2305843009115511554) /* 2935662433/23485299465 */;  /* F64 */
+    const int32_t u_6 = round_32(u_5);  /* F32, |x| <= 0.126 */
 
     /* y = sin(|phi|/2)/|phi| - 1/2, polynomial in |phi|^2   [cao (9)] */
-    const int64_t y_1 = (int64_t)2235647 /* 27/103741 */ * phi_square;  /* F68 */
-    const int64_t y_2 = y_1 - INT64_C(6148913652127751437) /* 123281/5917489 */;  /* F68 */
-    const int32_t y_3 = round_32(y_2);  /* F36, |x| <= 0.0209 */
-    const int64_t y_4 = (int64_t)phi_square * y_3;  /* F71 */
-    const int32_t y = round_31(y_4);  /* F40, |x| <= 0.00125 */
+    const int64_t y_1 = (int64_t)2235647 /* 27/103741 */ * phi_square;  /* F67 */
+    const int64_t y_2 = y_1 - INT64_C(3074456826063875719) /* 123281/5917489 */;  /* F67 */
+    const int32_t y_3 = round_32(y_2);  /* F35, |x| <= 0.0209 */
+    const int64_t y_4 = (int64_t)phi_square * y_3;  /* F69 */
+    const int32_t y = round_32(y_4);  /* F37, |x| <= 0.00125 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F73 */
-    const int32_t bent_x = round_30(bent_x_1);  /* F43, |x| <= 0.000194 */
+    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F70 */
+    const int32_t bent_x = round_36(bent_x_1);  /* F34, |x| <= 0.000194 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int32_t v_x_fine = round_short_9(bent_x);  /* F34 */
-    const int32_t v_x = v_x_fine + phi_x;  /* F34, |x| <= 0.0778 */
+    const int32_t v_x = phi_x + bent_x;  /* F34, |x| <= 0.0778 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F73 */
-    const int32_t bent_y = round_30(bent_y_1);  /* F43, |x| <= 0.000194 */
+    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F70 */
+    const int32_t bent_y = round_36(bent_y_1);  /* F34, |x| <= 0.000194 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int32_t v_y_fine = round_short_9(bent_y);  /* F34 */
-    const int32_t v_y = v_y_fine + phi_y;  /* F34, |x| <= 0.0778 */
+    const int32_t v_y = phi_y + bent_y;  /* F34, |x| <= 0.0778 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F73 */
-    const int32_t bent_z = round_30(bent_z_1);  /* F43, |x| <= 0.000194 */
+    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F70 */
+    const int32_t bent_z = round_36(bent_z_1);  /* F34, |x| <= 0.000194 */
 
     /* v = phi/2 + bent   [cao (14)] */
-    const int32_t v_z_fine = round_short_9(bent_z);  /* F34 */
-    const int32_t v_z = v_z_fine + phi_z;  /* F34, |x| <= 0.0778 */
+    const int32_t v_z = phi_z + bent_z;  /* F34, |x| <= 0.0778 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
-    const int64_t u_7 = (int64_t)phi_square * u_6;  /* F68 */
-    const int32_t u = round_30(u_7);  /* F38, |x| <= 0.00747 */
+    const int64_t u_7 = (int64_t)phi_square * u_6;  /* F66 */
+    const int32_t u = round_32(u_7);  /* F34, |x| <= 0.00747 */
 
     /* a = u + e */
-    const int64_t a_1 = u * INT64_C(8388608);  /* F61 */
+    const int64_t a_1 = u * INT64_C(134217728);  /* F61 */
     const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+
+    /* attitude and input */
+    const int32_t q_w = state->q[0];  /* F30, |x| <= 1.02 */
+    const int32_t q_x = state->q[1];  /* F30, |x| <= 1.02 */
+    const int32_t q_y = state->q[2];  /* F30, |x| <= 1.02 */
+    const int32_t q_z = state->q[3];  /* F30, |x| <= 1.02 */
+
+    /* a = u + e */
     const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
-    const int64_t a_4 = a_2 - a_3;  /* F61 */
-    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
-    const int64_t a_6 = a_4 - a_5;  /* F61 */
-    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
-    const int64_t a_8 = a_6 - a_7;  /* F61 */
-    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
-    const int64_t a_10 = a_8 - a_9;  /* F61 */
-    const int32_t a = round_26(a_10);  /* F35, |x| <= 0.0233 */
+    const int64_t a_4 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_5 = a_3 + a_4;  /* F61 */
+    const int64_t a_6 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_7 = a_5 + a_6;  /* F61 */
+    const int64_t a_8 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_9 = a_7 + a_8;  /* F61 */
+    const int64_t a_10 = a_2 - a_9;  /* F61 */
+    const int32_t a = round_27(a_10);  /* F34, |x| <= 0.0233 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
-    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F65 */
-    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F64 */
-    const int64_t dq_w_3 = dq_w_2 * INT64_C(2);  /* F65 */
-    const int64_t dq_w_4 = dq_w_1 - dq_w_3;  /* F65 */
-    const int64_t dq_w_5 = (int64_t)q_y * v_y;  /* F64 */
-    const int64_t dq_w_6 = dq_w_5 * INT64_C(2);  /* F65 */
-    const int64_t dq_w_7 = dq_w_4 - dq_w_6;  /* F65 */
-    const int64_t dq_w_8 = (int64_t)q_z * v_z;  /* F64 */
-    const int64_t dq_w_9 = dq_w_8 * INT64_C(2);  /* F65 */
-    const int64_t dq_w_10 = dq_w_7 - dq_w_9;  /* F65 */
-    const int32_t dq_w = round_35(dq_w_10);  /* F30, |x| <= 0.127 */
+    const int32_t q_x_negated = -q_x;  /* F30 */
+    const int32_t q_y_negated = -q_y;  /* F30 */
+    const int32_t q_z_negated = -q_z;  /* F30 */
+    const int64_t dq_w_1 = (int64_t)q_w * a;  /* F64 */
+    const int64_t dq_w_2 = (int64_t)q_x_negated * v_x;  /* F64 */
+    const int64_t dq_w_3 = dq_w_1 + dq_w_2;  /* F64 */
+    const int64_t dq_w_4 = (int64_t)q_y_negated * v_y;  /* F64 */
+    const int64_t dq_w_5 = dq_w_3 + dq_w_4;  /* F64 */
+    const int64_t dq_w_6 = (int64_t)q_z_negated * v_z;  /* F64 */
+    const int64_t dq_w_7 = dq_w_5 + dq_w_6;  /* F64 */
+    const int32_t dq_w = round_34(dq_w_7);  /* F30, |x| <= 0.127 */
 
     /* q_next = q + dq */
     const int32_t q_next_w = q_w + dq_w;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_x_1 = (int64_t)q_w * v_x;  /* F64 */
-    const int64_t dq_x_2 = dq_x_1 * INT64_C(2);  /* F65 */
-    const int64_t dq_x_3 = (int64_t)q_x * a;  /* F65 */
-    const int64_t dq_x_4 = dq_x_2 + dq_x_3;  /* F65 */
-    const int64_t dq_x_5 = (int64_t)q_y * v_z;  /* F64 */
-    const int64_t dq_x_6 = dq_x_5 * INT64_C(2);  /* F65 */
-    const int64_t dq_x_7 = dq_x_4 + dq_x_6;  /* F65 */
-    const int64_t dq_x_8 = (int64_t)q_z * v_y;  /* F64 */
-    const int64_t dq_x_9 = dq_x_8 * INT64_C(2);  /* F65 */
-    const int64_t dq_x_10 = dq_x_7 - dq_x_9;  /* F65 */
-    const int32_t dq_x = round_35(dq_x_10);  /* F30, |x| <= 0.127 */
+    const int64_t dq_x_2 = (int64_t)q_x * a;  /* F64 */
+    const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F64 */
+    const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F64 */
+    const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F64 */
+    const int64_t dq_x_6 = (int64_t)q_z_negated * v_y;  /* F64 */
+    const int64_t dq_x_7 = dq_x_5 + dq_x_6;  /* F64 */
+    const int32_t dq_x = round_34(dq_x_7);  /* F30, |x| <= 0.127 */
 
     /* q_next = q + dq */
     const int32_t q_next_x = q_x + dq_x;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_y_1 = (int64_t)q_w * v_y;  /* F64 */
-    const int64_t dq_y_2 = dq_y_1 * INT64_C(2);  /* F65 */
-    const int64_t dq_y_3 = (int64_t)q_y * a;  /* F65 */
-    const int64_t dq_y_4 = dq_y_2 + dq_y_3;  /* F65 */
-    const int64_t dq_y_5 = (int64_t)q_z * v_x;  /* F64 */
-    const int64_t dq_y_6 = dq_y_5 * INT64_C(2);  /* F65 */
-    const int64_t dq_y_7 = dq_y_4 + dq_y_6;  /* F65 */
-    const int64_t dq_y_8 = (int64_t)q_x * v_z;  /* F64 */
-    const int64_t dq_y_9 = dq_y_8 * INT64_C(2);  /* F65 */
-    const int64_t dq_y_10 = dq_y_7 - dq_y_9;  /* F65 */
-    const int32_t dq_y = round_35(dq_y_10);  /* F30, |x| <= 0.127 */
+    const int64_t dq_y_2 = (int64_t)q_y * a;  /* F64 */
+    const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F64 */
+    const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F64 */
+    const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F64 */
+    const int64_t dq_y_6 = (int64_t)q_x_negated * v_z;  /* F64 */
+    const int64_t dq_y_7 = dq_y_5 + dq_y_6;  /* F64 */
+    const int32_t dq_y = round_34(dq_y_7);  /* F30, |x| <= 0.127 */
 
     /* q_next = q + dq */
     const int32_t q_next_y = q_y + dq_y;  /* F30, |x| <= 1.01 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
     const int64_t dq_z_1 = (int64_t)q_w * v_z;  /* F64 */
-    const int64_t dq_z_2 = dq_z_1 * INT64_C(2);  /* F65 */
-    const int64_t dq_z_3 = (int64_t)q_z * a;  /* F65 */
-    const int64_t dq_z_4 = dq_z_2 + dq_z_3;  /* F65 */
-    const int64_t dq_z_5 = (int64_t)q_x * v_y;  /* F64 */
-    const int64_t dq_z_6 = dq_z_5 * INT64_C(2);  /* F65 */
-    const int64_t dq_z_7 = dq_z_4 + dq_z_6;  /* F65 */
-    const int64_t dq_z_8 = (int64_t)q_y * v_x;  /* F64 */
-    const int64_t dq_z_9 = dq_z_8 * INT64_C(2);  /* F65 */
-    const int64_t dq_z_10 = dq_z_7 - dq_z_9;  /* F65 */
-    const int32_t dq_z = round_35(dq_z_10);  /* F30, |x| <= 0.127 */
+    const int64_t dq_z_2 = (int64_t)q_z * a;  /* F64 */
+    const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F64 */
+    const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F64 */
+    const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F64 */
+    const int64_t dq_z_6 = (int64_t)q_y_negated * v_x;  /* F64 */
+    const int64_t dq_z_7 = dq_z_5 + dq_z_6;  /* F64 */
+    const int32_t dq_z = round_34(dq_z_7);  /* F30, |x| <= 0.127 */
 
     /* q_next = q + dq */
     const int32_t q_next_z = q_z + dq_z;  /* F30, |x| <= 1.01 */

@@ -24,31 +24,31 @@
  *              2.5e-15 (scalar), 5.5e-15 (vector), proved over the rationals
  * rounding:    one update is within 4.3e-09 of exact arithmetic, in the norm of the components,
  *              what is carried included, which does not add up; proved
- * high words:  6 of 16 rounded sums of products drop a whole word, 2 before formats were searched
- *              for that; of one update's errors in the first order it made 4.2e-10 of 4.1e-10
+ * high words:  10 of 16 rounded sums of products drop a whole word, 2 before formats were searched
+ *              for that; of one update's errors in the first order it made 4.4e-10 of 4.1e-10
  *
  * operations                 multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written                44       0   37        13       0       0     0     0     0       0      0
  * update shared                    40       4   37        13       0       0     0     0     0       0      0
- * update emitted                   40       0   34        25       0       0     0     0     0       0     34
+ * update emitted                   40       0   43        16       3       0     0     0     0       0     34
  * dcm as-written                    9       0    9         6       0       0     0     0     0       0      0
  * dcm shared                        9       0    9         6       0       0     0     0     0       0      0
- * dcm emitted                       9       0    3         9       0       0     0     0     0       0     19
+ * dcm emitted                       9       0    6         6       0       0     0     0     0       0     19
  * euler as-written                 82       0   43        19       9       3     0     0    26      54      0
  * euler shared                     54      26   43        19       9       3     0     0    26      54      0
- * euler emitted                    54       0   27        34       9       3     0     0    26      85    143
+ * euler emitted                    54       0   33        28      11       3     0     0    26      85    143
  * correct as-written               26       0   19         6       3       0     0     0     5       9      0
  * correct shared                   25       1   19         6       3       0     0     0     5       9      0
  * correct emitted                  25       0   14        10       5       0     0     0     5      14     34
  * body_quaternion as-written       49       0   27         5      11       0     0     0     5       9      0
  * body_quaternion shared           44       5   21        11       3       0     0     0     5       9      0
- * body_quaternion emitted          44       0   15        17       5       0     0     0     5      18     52
+ * body_quaternion emitted          44       0   21        11       8       0     0     0     5      18     52
  * body_dcm as-written               9       0    9         6       0       0     0     0     0       0      0
  * body_dcm shared                   9       0    9         6       0       0     0     0     0       0      0
- * body_dcm emitted                  9       0    3         9       0       0     0     0     0       0     15
+ * body_dcm emitted                  9       0    6         6       0       0     0     0     0       0     15
  * body_euler as-written            82       0   43        19       9       3     0     0    26      54      0
  * body_euler shared                54      26   43        19       9       3     0     0    26      54      0
- * body_euler emitted               54       0   27        34       9       3     0     0    26      85    139
+ * body_euler emitted               54       0   33        28      11       3     0     0    26      85    139
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -105,10 +105,10 @@ static inline int32_t left_of_short_5(int32_t whole, int32_t rounded)
     return wrapped_32(left);
 }
 
-/* whole - 2^10 rounded; the result fits 32 bits. */
-static inline int32_t left_of_short_10(int32_t whole, int32_t rounded)
+/* whole - 2^8 rounded; the result fits 32 bits. */
+static inline int32_t left_of_short_8(int32_t whole, int32_t rounded)
 {
-    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 10);
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 8);
     return wrapped_32(left);
 }
 
@@ -327,13 +327,13 @@ void rotation_vector_3_coning_rins_fixed32_compensated_set_quaternion(
 
     /* e = (1 - |q|^2)/2 */
     const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
-    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
-    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
-    const int64_t e_4 = e_2 - e_3;  /* F61 */
-    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
-    const int64_t e_6 = e_4 - e_5;  /* F61 */
-    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
-    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int64_t e_2 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_3 = e_1 + e_2;  /* F61 */
+    const int64_t e_4 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_5 = e_3 + e_4;  /* F61 */
+    const int64_t e_6 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_7 = e_5 + e_6;  /* F61 */
+    const int64_t e_8 = INT64_C(1152921504606846976) /* 1/2 */ - e_7;  /* F61 */
     const int32_t e = round_21(e_8);  /* F40, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -371,14 +371,6 @@ void rotation_vector_3_coning_rins_fixed32_compensated_update(
     rotation_vector_3_coning_rins_fixed32_compensated_state *state, const int32_t dtheta[9])
 {
     /* attitude and input */
-    const int64_t q_w_whole = state->q[0];  /* F62, |x| <= 1.01 */
-    const int32_t q_w = round_32(q_w_whole);  /* F30, |x| <= 1.01 */
-    const int64_t q_x_whole = state->q[1];  /* F62, |x| <= 1.01 */
-    const int32_t q_x = round_32(q_x_whole);  /* F30, |x| <= 1.01 */
-    const int64_t q_y_whole = state->q[2];  /* F62, |x| <= 1.01 */
-    const int32_t q_y = round_32(q_y_whole);  /* F30, |x| <= 1.01 */
-    const int64_t q_z_whole = state->q[3];  /* F62, |x| <= 1.01 */
-    const int32_t q_z = round_32(q_z_whole);  /* F30, |x| <= 1.01 */
     const int32_t dtheta1_x = dtheta[0];  /* F34, |x| <= 0.0334 */
     const int32_t dtheta1_y = dtheta[1];  /* F34, |x| <= 0.0334 */
     const int32_t dtheta1_z = dtheta[2];  /* F34, |x| <= 0.0334 */
@@ -412,49 +404,52 @@ void rotation_vector_3_coning_rins_fixed32_compensated_update(
 
     /* k = 9/40 d   [cao (12)] */
     const int64_t k_x_1 = (int64_t)1932735283 /* 9/40 */ * d_x;  /* F67 */
-    const int32_t k_x = round_30(k_x_1);  /* F37, |x| <= 0.0151 */
+    const int32_t k_x = round_32(k_x_1);  /* F35, |x| <= 0.0151 */
     const int64_t k_y_1 = (int64_t)1932735283 /* 9/40 */ * d_y;  /* F67 */
-    const int32_t k_y = round_30(k_y_1);  /* F37, |x| <= 0.0151 */
+    const int32_t k_y = round_32(k_y_1);  /* F35, |x| <= 0.0151 */
     const int64_t k_z_1 = (int64_t)1932735283 /* 9/40 */ * d_z;  /* F67 */
-    const int32_t k_z = round_30(k_z_1);  /* F37, |x| <= 0.0151 */
+    const int32_t k_z = round_32(k_z_1);  /* F35, |x| <= 0.0151 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_x_1 = (int64_t)g_y * k_z;  /* F70 */
-    const int64_t coning_x_2 = (int64_t)g_z * k_y;  /* F70 */
-    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F70 */
-    const int32_t coning_x = round_31(coning_x_3);  /* F39, |x| <= 0.00251 */
+    const int64_t coning_x_1 = (int64_t)g_y * k_z;  /* F68 */
+    const int64_t coning_x_2 = (int64_t)g_z * k_y;  /* F68 */
+    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F68 */
+    const int32_t coning_x = round_29(coning_x_3);  /* F39, |x| <= 0.00251 */
 
     /* phi, the rounding of the last update added, that of this one kept */
     const int32_t phi_x_fine_carried = state->residual[0];  /* F39 */
     const int32_t phi_x_fine_whole = coning_x + phi_x_fine_carried;  /* F39 */
     const int32_t phi_x_fine = round_short_5(phi_x_fine_whole);  /* F34 */
     const int32_t phi_x_fine_left = left_of_short_5(phi_x_fine_whole, phi_x_fine);  /* F39 */
+    state->residual[0] = phi_x_fine_left;
     const int32_t phi_x = phi_x_fine + S_x;  /* F34, |x| <= 0.103 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F70 */
-    const int64_t coning_y_2 = (int64_t)g_x * k_z;  /* F70 */
-    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F70 */
-    const int32_t coning_y = round_31(coning_y_3);  /* F39, |x| <= 0.00251 */
+    const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F68 */
+    const int64_t coning_y_2 = (int64_t)g_x * k_z;  /* F68 */
+    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F68 */
+    const int32_t coning_y = round_29(coning_y_3);  /* F39, |x| <= 0.00251 */
 
     /* phi, the rounding of the last update added, that of this one kept */
     const int32_t phi_y_fine_carried = state->residual[1];  /* F39 */
     const int32_t phi_y_fine_whole = coning_y + phi_y_fine_carried;  /* F39 */
     const int32_t phi_y_fine = round_short_5(phi_y_fine_whole);  /* F34 */
     const int32_t phi_y_fine_left = left_of_short_5(phi_y_fine_whole, phi_y_fine);  /* F39 */
+    state->residual[1] = phi_y_fine_left;
     const int32_t phi_y = phi_y_fine + S_y;  /* F34, |x| <= 0.103 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F70 */
-    const int64_t coning_z_2 = (int64_t)g_y * k_x;  /* F70 */
-    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F70 */
-    const int32_t coning_z = round_31(coning_z_3);  /* F39, |x| <= 0.00251 */
+    const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F68 */
+    const int64_t coning_z_2 = (int64_t)g_y * k_x;  /* F68 */
+    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F68 */
+    const int32_t coning_z = round_29(coning_z_3);  /* F39, |x| <= 0.00251 */
 
     /* phi, the rounding of the last update added, that of this one kept */
     const int32_t phi_z_fine_carried = state->residual[2];  /* F39 */
     const int32_t phi_z_fine_whole = coning_z + phi_z_fine_carried;  /* F39 */
     const int32_t phi_z_fine = round_short_5(phi_z_fine_whole);  /* F34 */
     const int32_t phi_z_fine_left = left_of_short_5(phi_z_fine_whole, phi_z_fine);  /* F39 */
+    state->residual[2] = phi_z_fine_left;
     const int32_t phi_z = phi_z_fine + S_z;  /* F34, |x| <= 0.103 */
 
     /* phi_square = |phi|^2 */
@@ -478,39 +473,42 @@ void rotation_vector_3_coning_rins_fixed32_compensated_update(
     const int64_t y_2 = y_1 - INT64_C(6148914665395606125) /* 4957348/237952705 */;  /* F68 */
     const int32_t y_3 = round_32(y_2);  /* F36, |x| <= 0.0209 */
     const int64_t y_4 = (int64_t)phi_square * y_3;  /* F73 */
-    const int32_t y = round_30(y_4);  /* F43, |x| <= 0.000218 */
+    const int32_t y = round_32(y_4);  /* F41, |x| <= 0.000218 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F77 */
-    const int32_t bent_x = round_32(bent_x_1);  /* F45, |x| <= 2.23e-05 */
+    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F75 */
+    const int32_t bent_x = round_32(bent_x_1);  /* F43, |x| <= 2.23e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int32_t v_x_fine_carried = state->residual[3];  /* F45 */
-    const int32_t v_x_fine_whole = bent_x + v_x_fine_carried;  /* F45 */
-    const int32_t v_x_fine = round_short_10(v_x_fine_whole);  /* F35 */
-    const int32_t v_x_fine_left = left_of_short_10(v_x_fine_whole, v_x_fine);  /* F45 */
+    const int32_t v_x_fine_carried = state->residual[3];  /* F43 */
+    const int32_t v_x_fine_whole = bent_x + v_x_fine_carried;  /* F43 */
+    const int32_t v_x_fine = round_short_8(v_x_fine_whole);  /* F35 */
+    const int32_t v_x_fine_left = left_of_short_8(v_x_fine_whole, v_x_fine);  /* F43 */
+    state->residual[3] = v_x_fine_left;
     const int32_t v_x = v_x_fine + phi_x;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F77 */
-    const int32_t bent_y = round_32(bent_y_1);  /* F45, |x| <= 2.23e-05 */
+    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F75 */
+    const int32_t bent_y = round_32(bent_y_1);  /* F43, |x| <= 2.23e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int32_t v_y_fine_carried = state->residual[4];  /* F45 */
-    const int32_t v_y_fine_whole = bent_y + v_y_fine_carried;  /* F45 */
-    const int32_t v_y_fine = round_short_10(v_y_fine_whole);  /* F35 */
-    const int32_t v_y_fine_left = left_of_short_10(v_y_fine_whole, v_y_fine);  /* F45 */
+    const int32_t v_y_fine_carried = state->residual[4];  /* F43 */
+    const int32_t v_y_fine_whole = bent_y + v_y_fine_carried;  /* F43 */
+    const int32_t v_y_fine = round_short_8(v_y_fine_whole);  /* F35 */
+    const int32_t v_y_fine_left = left_of_short_8(v_y_fine_whole, v_y_fine);  /* F43 */
+    state->residual[4] = v_y_fine_left;
     const int32_t v_y = v_y_fine + phi_y;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F77 */
-    const int32_t bent_z = round_32(bent_z_1);  /* F45, |x| <= 2.23e-05 */
+    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F75 */
+    const int32_t bent_z = round_32(bent_z_1);  /* F43, |x| <= 2.23e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int32_t v_z_fine_carried = state->residual[5];  /* F45 */
-    const int32_t v_z_fine_whole = bent_z + v_z_fine_carried;  /* F45 */
-    const int32_t v_z_fine = round_short_10(v_z_fine_whole);  /* F35 */
-    const int32_t v_z_fine_left = left_of_short_10(v_z_fine_whole, v_z_fine);  /* F45 */
+    const int32_t v_z_fine_carried = state->residual[5];  /* F43 */
+    const int32_t v_z_fine_whole = bent_z + v_z_fine_carried;  /* F43 */
+    const int32_t v_z_fine = round_short_8(v_z_fine_whole);  /* F35 */
+    const int32_t v_z_fine_left = left_of_short_8(v_z_fine_whole, v_z_fine);  /* F43 */
+    state->residual[5] = v_z_fine_left;
     const int32_t v_z = v_z_fine + phi_z;  /* F35, |x| <= 0.0512 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
@@ -520,24 +518,39 @@ void rotation_vector_3_coning_rins_fixed32_compensated_update(
     /* a = u + e */
     const int64_t a_1 = u * INT64_C(8388608);  /* F61 */
     const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+
+    /* attitude and input */
+    const int64_t q_w_whole = state->q[0];  /* F62, |x| <= 1.01 */
+    const int32_t q_w = round_32(q_w_whole);  /* F30, |x| <= 1.01 */
+    const int64_t q_x_whole = state->q[1];  /* F62, |x| <= 1.01 */
+    const int32_t q_x = round_32(q_x_whole);  /* F30, |x| <= 1.01 */
+    const int64_t q_y_whole = state->q[2];  /* F62, |x| <= 1.01 */
+    const int32_t q_y = round_32(q_y_whole);  /* F30, |x| <= 1.01 */
+    const int64_t q_z_whole = state->q[3];  /* F62, |x| <= 1.01 */
+    const int32_t q_z = round_32(q_z_whole);  /* F30, |x| <= 1.01 */
+
+    /* a = u + e */
     const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
-    const int64_t a_4 = a_2 - a_3;  /* F61 */
-    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
-    const int64_t a_6 = a_4 - a_5;  /* F61 */
-    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
-    const int64_t a_8 = a_6 - a_7;  /* F61 */
-    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
-    const int64_t a_10 = a_8 - a_9;  /* F61 */
+    const int64_t a_4 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_5 = a_3 + a_4;  /* F61 */
+    const int64_t a_6 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_7 = a_5 + a_6;  /* F61 */
+    const int64_t a_8 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_9 = a_7 + a_8;  /* F61 */
+    const int64_t a_10 = a_2 - a_9;  /* F61 */
     const int32_t a = round_26(a_10);  /* F35, |x| <= 0.00522 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
+    const int32_t v_x_negated = -v_x;  /* F35 */
+    const int32_t v_y_negated = -v_y;  /* F35 */
+    const int32_t v_z_negated = -v_z;  /* F35 */
     const int64_t dq_w_1 = (int64_t)q_w * a;  /* F65 */
-    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
-    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F65 */
-    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F65 */
-    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F65 */
-    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F65 */
-    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F65 */
+    const int64_t dq_w_2 = (int64_t)q_x * v_x_negated;  /* F65 */
+    const int64_t dq_w_3 = dq_w_1 + dq_w_2;  /* F65 */
+    const int64_t dq_w_4 = (int64_t)q_y * v_y_negated;  /* F65 */
+    const int64_t dq_w_5 = dq_w_3 + dq_w_4;  /* F65 */
+    const int64_t dq_w_6 = (int64_t)q_z * v_z_negated;  /* F65 */
+    const int64_t dq_w_7 = dq_w_5 + dq_w_6;  /* F65 */
     const int64_t dq_w = round_wide_3(dq_w_7);  /* F62, |x| <= 0.0516 */
 
     /* q_next = q + dq */
@@ -549,8 +562,8 @@ void rotation_vector_3_coning_rins_fixed32_compensated_update(
     const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F65 */
     const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F65 */
     const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F65 */
-    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F65 */
-    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F65 */
+    const int64_t dq_x_6 = (int64_t)q_z * v_y_negated;  /* F65 */
+    const int64_t dq_x_7 = dq_x_5 + dq_x_6;  /* F65 */
     const int64_t dq_x = round_wide_3(dq_x_7);  /* F62, |x| <= 0.0516 */
 
     /* q_next = q + dq */
@@ -562,8 +575,8 @@ void rotation_vector_3_coning_rins_fixed32_compensated_update(
     const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F65 */
     const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F65 */
     const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F65 */
-    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F65 */
-    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F65 */
+    const int64_t dq_y_6 = (int64_t)q_x * v_z_negated;  /* F65 */
+    const int64_t dq_y_7 = dq_y_5 + dq_y_6;  /* F65 */
     const int64_t dq_y = round_wide_3(dq_y_7);  /* F62, |x| <= 0.0516 */
 
     /* q_next = q + dq */
@@ -575,8 +588,8 @@ void rotation_vector_3_coning_rins_fixed32_compensated_update(
     const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F65 */
     const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F65 */
     const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F65 */
-    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F65 */
-    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F65 */
+    const int64_t dq_z_6 = (int64_t)q_y * v_x_negated;  /* F65 */
+    const int64_t dq_z_7 = dq_z_5 + dq_z_6;  /* F65 */
     const int64_t dq_z = round_wide_3(dq_z_7);  /* F62, |x| <= 0.0516 */
 
     /* q_next = q + dq */
@@ -587,14 +600,6 @@ void rotation_vector_3_coning_rins_fixed32_compensated_update(
     state->q[1] = q_next_x;
     state->q[2] = q_next_y;
     state->q[3] = q_next_z;
-
-    /* carry the roundings to the next update */
-    state->residual[0] = phi_x_fine_left;
-    state->residual[1] = phi_y_fine_left;
-    state->residual[2] = phi_z_fine_left;
-    state->residual[3] = v_x_fine_left;
-    state->residual[4] = v_y_fine_left;
-    state->residual[5] = v_z_fine_left;
 }
 
 void rotation_vector_3_coning_rins_fixed32_compensated_quaternion(
@@ -651,9 +656,9 @@ void rotation_vector_3_coning_rins_fixed32_compensated_dcm(
 
     /* c_nb = C_nb(q)   [cao (15)] */
     const int64_t c_nb_11_1 = yy * INT64_C(2);  /* F30 */
-    const int64_t c_nb_11_2 = INT64_C(1073741824) /* 1 */ - c_nb_11_1;  /* F30 */
-    const int64_t c_nb_11_3 = zz * INT64_C(2);  /* F30 */
-    const int64_t c_nb_11_4 = c_nb_11_2 - c_nb_11_3;  /* F30 */
+    const int64_t c_nb_11_2 = zz * INT64_C(2);  /* F30 */
+    const int64_t c_nb_11_3 = c_nb_11_1 + c_nb_11_2;  /* F30 */
+    const int64_t c_nb_11_4 = INT64_C(1073741824) /* 1 */ - c_nb_11_3;  /* F30 */
     const int32_t c_nb_11 = (int32_t)c_nb_11_4;  /* F30, |x| <= 1.02 */
     const int64_t c_nb_12_1 = (int64_t)xy - wz;  /* F30 */
     const int32_t c_nb_12 = (int32_t)c_nb_12_1;  /* F30, |x| <= 1.02 */
@@ -662,9 +667,9 @@ void rotation_vector_3_coning_rins_fixed32_compensated_dcm(
     const int64_t c_nb_21_1 = (int64_t)xy + wz;  /* F30 */
     const int32_t c_nb_21 = (int32_t)c_nb_21_1;  /* F30, |x| <= 1.02 */
     const int64_t c_nb_22_1 = xx * INT64_C(2);  /* F30 */
-    const int64_t c_nb_22_2 = INT64_C(1073741824) /* 1 */ - c_nb_22_1;  /* F30 */
-    const int64_t c_nb_22_3 = zz * INT64_C(2);  /* F30 */
-    const int64_t c_nb_22_4 = c_nb_22_2 - c_nb_22_3;  /* F30 */
+    const int64_t c_nb_22_2 = zz * INT64_C(2);  /* F30 */
+    const int64_t c_nb_22_3 = c_nb_22_1 + c_nb_22_2;  /* F30 */
+    const int64_t c_nb_22_4 = INT64_C(1073741824) /* 1 */ - c_nb_22_3;  /* F30 */
     const int32_t c_nb_22 = (int32_t)c_nb_22_4;  /* F30, |x| <= 1.02 */
     const int64_t c_nb_23_1 = (int64_t)yz - wx;  /* F30 */
     const int32_t c_nb_23 = (int32_t)c_nb_23_1;  /* F30, |x| <= 1.02 */
@@ -673,9 +678,9 @@ void rotation_vector_3_coning_rins_fixed32_compensated_dcm(
     const int64_t c_nb_32_1 = (int64_t)yz + wx;  /* F30 */
     const int32_t c_nb_32 = (int32_t)c_nb_32_1;  /* F30, |x| <= 1.02 */
     const int64_t c_nb_33_1 = xx * INT64_C(2);  /* F30 */
-    const int64_t c_nb_33_2 = INT64_C(1073741824) /* 1 */ - c_nb_33_1;  /* F30 */
-    const int64_t c_nb_33_3 = yy * INT64_C(2);  /* F30 */
-    const int64_t c_nb_33_4 = c_nb_33_2 - c_nb_33_3;  /* F30 */
+    const int64_t c_nb_33_2 = yy * INT64_C(2);  /* F30 */
+    const int64_t c_nb_33_3 = c_nb_33_1 + c_nb_33_2;  /* F30 */
+    const int64_t c_nb_33_4 = INT64_C(1073741824) /* 1 */ - c_nb_33_3;  /* F30 */
     const int32_t c_nb_33 = (int32_t)c_nb_33_4;  /* F30, |x| <= 1.02 */
 
     c_nb[0] = c_nb_11;
@@ -898,208 +903,210 @@ void rotation_vector_3_coning_rins_fixed32_compensated_euler(
     const int32_t pitch_43 = round_31(pitch_39);  /* F27, |x| <= 8.07 */
     const int32_t pitch_44 = clamp_32(pitch_43, 134217728, 536870912);  /* F27, |x| <= 4 */
     const int32_t pitch_45 = clamp_32(pitch_44, 134217728, 536870912);  /* F27, |x| <= 4 */
-    const int64_t pitch_46 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_45;  /* F65 */
+    const int32_t pitch_46 = -pitch_45;  /* F27 */
+    const int64_t pitch_47 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_46;  /* F65 */
     /* F65 */
-    const int64_t pitch_47 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_46;
-    const int32_t pitch_48 = round_30(pitch_47);  /* F35, |x| <= 0.0387 */
-    const int64_t pitch_49 = (int64_t)pitch_45 * pitch_48;  /* F62 */
+    const int64_t pitch_48 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ + pitch_47;
+    const int32_t pitch_49 = round_30(pitch_48);  /* F35, |x| <= 0.0387 */
+    const int64_t pitch_50 = (int64_t)pitch_45 * pitch_49;  /* F62 */
     /* F62 */
-    const int64_t pitch_50 = pitch_49 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;
-    const int32_t pitch_51 = round_29(pitch_50);  /* F33, |x| <= 0.226 */
-    const int64_t pitch_52 = (int64_t)pitch_45 * pitch_51;  /* F60 */
+    const int64_t pitch_51 = pitch_50 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;
+    const int32_t pitch_52 = round_29(pitch_51);  /* F33, |x| <= 0.226 */
+    const int64_t pitch_53 = (int64_t)pitch_45 * pitch_52;  /* F60 */
     /* F60 */
-    const int64_t pitch_53 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_52;
-    const int32_t pitch_54 = round_29(pitch_53);  /* F31, |x| <= 0.725 */
-    const int64_t pitch_55 = (int64_t)pitch_45 * pitch_54;  /* F58 */
+    const int64_t pitch_54 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_53;
+    const int32_t pitch_55 = round_29(pitch_54);  /* F31, |x| <= 0.725 */
+    const int64_t pitch_56 = (int64_t)pitch_45 * pitch_55;  /* F58 */
     /* F58 */
-    const int64_t pitch_56 = pitch_55 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;
-    const int32_t pitch_57 = round_28(pitch_56);  /* F30, |x| <= 1.82 */
-    const int64_t pitch_58 = (int64_t)pitch_45 * pitch_57;  /* F57 */
+    const int64_t pitch_57 = pitch_56 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;
+    const int32_t pitch_58 = round_28(pitch_57);  /* F30, |x| <= 1.82 */
+    const int64_t pitch_59 = (int64_t)pitch_45 * pitch_58;  /* F57 */
     /* F57 */
-    const int64_t pitch_59 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_58;
-    const int32_t pitch_60 = round_29(pitch_59);  /* F28, |x| <= 7.44 */
-    const int32_t pitch_61 = clamp_32(pitch_60, 67108864, 335544320);  /* F28, |x| <= 1.25 */
-    const int64_t pitch_62 = (int64_t)pitch_61 * pitch_61;  /* F56 */
-    const int32_t pitch_63 = round_26(pitch_62);  /* F30, |x| <= 1.57 */
-    const int64_t pitch_64 = (int64_t)pitch_45 * pitch_63;  /* F57 */
-    const int64_t pitch_65 = INT64_C(144115188075855872) /* 1 */ - pitch_64;  /* F57 */
-    const int32_t pitch_66 = round_29(pitch_65);  /* F28, |x| <= 5.26 */
-    const int64_t pitch_67 = pitch_61 * INT64_C(536870912);  /* F57 */
-    const int64_t pitch_68 = (int64_t)pitch_61 * pitch_66;  /* F56 */
-    const int64_t pitch_69 = pitch_67 + pitch_68;  /* F57 */
-    const int32_t pitch_70 = round_28(pitch_69);  /* F29, |x| <= 3.04 */
-    const int32_t pitch_71 = clamp_32(pitch_70, 134217728, 671088640);  /* F29, |x| <= 1.25 */
-    const int64_t pitch_72 = (int64_t)pitch_71 * pitch_71;  /* F58 */
-    const int32_t pitch_73 = round_28(pitch_72);  /* F30, |x| <= 1.57 */
-    const int64_t pitch_74 = (int64_t)pitch_45 * pitch_73;  /* F57 */
-    const int64_t pitch_75 = INT64_C(144115188075855872) /* 1 */ - pitch_74;  /* F57 */
-    const int32_t pitch_76 = round_29(pitch_75);  /* F28, |x| <= 5.26 */
-    const int64_t pitch_77 = pitch_71 * INT64_C(536870912);  /* F58 */
-    const int64_t pitch_78 = (int64_t)pitch_71 * pitch_76;  /* F57 */
-    const int64_t pitch_79 = pitch_77 + pitch_78;  /* F58 */
-    const int32_t pitch_80 = round_29(pitch_79);  /* F29, |x| <= 3.04 */
-    const int32_t pitch_81 = clamp_32(pitch_80, 134217728, 671088640);  /* F29, |x| <= 1.25 */
-    const int64_t pitch_82 = (int64_t)pitch_44 * pitch_81;  /* F56 */
-    const int32_t pitch_83 = round_28(pitch_82);  /* F28, |x| <= 5.01 */
-    const int64_t pitch_84 = (int64_t)pitch_83 * pitch_42;  /* F59 */
-    const int32_t pitch_85 = round_30(pitch_84);  /* F29, |x| <= 2.51 */
-    const int64_t pitch_86 = (int64_t)half_difference_4 * half_difference_4;  /* F58 */
-    const int64_t pitch_87 = (int64_t)half_difference_2 * half_difference_2;  /* F58 */
-    const int64_t pitch_88 = pitch_86 + pitch_87;  /* F60, |x| <= 2.02 */
-    const int32_t pitch_89 = pitch_88 < INT64_C(268435456) /* 1/4294967296 */;
+    const int64_t pitch_60 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_59;
+    const int32_t pitch_61 = round_29(pitch_60);  /* F28, |x| <= 7.44 */
+    const int32_t pitch_62 = clamp_32(pitch_61, 67108864, 335544320);  /* F28, |x| <= 1.25 */
+    const int64_t pitch_63 = (int64_t)pitch_62 * pitch_62;  /* F56 */
+    const int32_t pitch_64 = round_26(pitch_63);  /* F30, |x| <= 1.57 */
+    const int64_t pitch_65 = (int64_t)pitch_46 * pitch_64;  /* F57 */
+    const int64_t pitch_66 = INT64_C(144115188075855872) /* 1 */ + pitch_65;  /* F57 */
+    const int32_t pitch_67 = round_29(pitch_66);  /* F28, |x| <= 5.26 */
+    const int64_t pitch_68 = pitch_62 * INT64_C(536870912);  /* F57 */
+    const int64_t pitch_69 = (int64_t)pitch_62 * pitch_67;  /* F56 */
+    const int64_t pitch_70 = pitch_68 + pitch_69;  /* F57 */
+    const int32_t pitch_71 = round_28(pitch_70);  /* F29, |x| <= 3.04 */
+    const int32_t pitch_72 = clamp_32(pitch_71, 134217728, 671088640);  /* F29, |x| <= 1.25 */
+    const int64_t pitch_73 = (int64_t)pitch_72 * pitch_72;  /* F58 */
+    const int32_t pitch_74 = round_28(pitch_73);  /* F30, |x| <= 1.57 */
+    const int64_t pitch_75 = (int64_t)pitch_46 * pitch_74;  /* F57 */
+    const int64_t pitch_76 = INT64_C(144115188075855872) /* 1 */ + pitch_75;  /* F57 */
+    const int32_t pitch_77 = round_29(pitch_76);  /* F28, |x| <= 5.26 */
+    const int64_t pitch_78 = pitch_72 * INT64_C(536870912);  /* F58 */
+    const int64_t pitch_79 = (int64_t)pitch_72 * pitch_77;  /* F57 */
+    const int64_t pitch_80 = pitch_78 + pitch_79;  /* F58 */
+    const int32_t pitch_81 = round_29(pitch_80);  /* F29, |x| <= 3.04 */
+    const int32_t pitch_82 = clamp_32(pitch_81, 134217728, 671088640);  /* F29, |x| <= 1.25 */
+    const int64_t pitch_83 = (int64_t)pitch_44 * pitch_82;  /* F56 */
+    const int32_t pitch_84 = round_28(pitch_83);  /* F28, |x| <= 5.01 */
+    const int64_t pitch_85 = (int64_t)pitch_84 * pitch_42;  /* F59 */
+    const int32_t pitch_86 = round_30(pitch_85);  /* F29, |x| <= 2.51 */
+    const int64_t pitch_87 = (int64_t)half_difference_4 * half_difference_4;  /* F58 */
+    const int64_t pitch_88 = (int64_t)half_difference_2 * half_difference_2;  /* F58 */
+    const int64_t pitch_89 = pitch_87 + pitch_88;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_90 = pitch_89 < INT64_C(268435456) /* 1/4294967296 */;
     /* F60, |x| <= 2.33e-10 */
-    const int32_t pitch_90 = clamp_64_to_32(pitch_88, INT64_C(0), INT64_C(268435456));
-    const int64_t pitch_91 = pitch_90 * INT64_C(1);  /* F28, |x| <= 1 */
-    const int64_t pitch_92 = pitch_91 * INT64_C(4294967296);  /* F60 */
-    const int64_t pitch_93 = (pitch_89 != 0) ? pitch_92 : pitch_88;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_91 = clamp_64_to_32(pitch_89, INT64_C(0), INT64_C(268435456));
+    const int64_t pitch_92 = pitch_91 * INT64_C(1);  /* F28, |x| <= 1 */
+    const int64_t pitch_93 = pitch_92 * INT64_C(4294967296);  /* F60 */
+    const int64_t pitch_94 = (pitch_90 != 0) ? pitch_93 : pitch_89;  /* F60, |x| <= 2.02 */
     /* F31, |x| <= 0.501 */
-    const int32_t pitch_94 = (pitch_89 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;
-    const int32_t pitch_95 = pitch_93 < INT64_C(17592186044416) /* 1/65536 */;
+    const int32_t pitch_95 = (pitch_90 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;
+    const int32_t pitch_96 = pitch_94 < INT64_C(17592186044416) /* 1/65536 */;
     /* F60, |x| <= 1.53e-05 */
-    const int64_t pitch_96 = clamp_64(pitch_93, INT64_C(0), INT64_C(17592186044416));
-    const int64_t pitch_97 = pitch_96 * INT64_C(1);  /* F44, |x| <= 1 */
-    const int64_t pitch_98 = pitch_97 * INT64_C(65536);  /* F60 */
-    const int64_t pitch_99 = (pitch_95 != 0) ? pitch_98 : pitch_93;  /* F60, |x| <= 2.02 */
-    const int32_t pitch_100 = pitch_94 * 1;  /* F39, |x| <= 0.00196 */
-    const int32_t pitch_101 = round_short_8(pitch_100);  /* F31 */
-    const int32_t pitch_102 = (pitch_95 != 0) ? pitch_101 : pitch_94;  /* F31, |x| <= 0.501 */
-    const int32_t pitch_103 = pitch_99 < INT64_C(4503599627370496) /* 1/256 */;
+    const int64_t pitch_97 = clamp_64(pitch_94, INT64_C(0), INT64_C(17592186044416));
+    const int64_t pitch_98 = pitch_97 * INT64_C(1);  /* F44, |x| <= 1 */
+    const int64_t pitch_99 = pitch_98 * INT64_C(65536);  /* F60 */
+    const int64_t pitch_100 = (pitch_96 != 0) ? pitch_99 : pitch_94;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_101 = pitch_95 * 1;  /* F39, |x| <= 0.00196 */
+    const int32_t pitch_102 = round_short_8(pitch_101);  /* F31 */
+    const int32_t pitch_103 = (pitch_96 != 0) ? pitch_102 : pitch_95;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_104 = pitch_100 < INT64_C(4503599627370496) /* 1/256 */;
     /* F60, |x| <= 0.00391 */
-    const int64_t pitch_104 = clamp_64(pitch_99, INT64_C(0), INT64_C(4503599627370496));
-    const int64_t pitch_105 = pitch_104 * INT64_C(1);  /* F52, |x| <= 1 */
-    const int64_t pitch_106 = pitch_105 * INT64_C(256);  /* F60 */
-    const int64_t pitch_107 = (pitch_103 != 0) ? pitch_106 : pitch_99;  /* F60, |x| <= 2.02 */
-    const int32_t pitch_108 = pitch_102 * 1;  /* F35, |x| <= 0.0313 */
-    const int32_t pitch_109 = round_short_4(pitch_108);  /* F31 */
-    const int32_t pitch_110 = (pitch_103 != 0) ? pitch_109 : pitch_102;  /* F31, |x| <= 0.501 */
-    const int32_t pitch_111 = pitch_107 < INT64_C(72057594037927936) /* 1/16 */;
+    const int64_t pitch_105 = clamp_64(pitch_100, INT64_C(0), INT64_C(4503599627370496));
+    const int64_t pitch_106 = pitch_105 * INT64_C(1);  /* F52, |x| <= 1 */
+    const int64_t pitch_107 = pitch_106 * INT64_C(256);  /* F60 */
+    const int64_t pitch_108 = (pitch_104 != 0) ? pitch_107 : pitch_100;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_109 = pitch_103 * 1;  /* F35, |x| <= 0.0313 */
+    const int32_t pitch_110 = round_short_4(pitch_109);  /* F31 */
+    const int32_t pitch_111 = (pitch_104 != 0) ? pitch_110 : pitch_103;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_112 = pitch_108 < INT64_C(72057594037927936) /* 1/16 */;
     /* F60, |x| <= 0.0625 */
-    const int64_t pitch_112 = clamp_64(pitch_107, INT64_C(0), INT64_C(72057594037927936));
-    const int64_t pitch_113 = pitch_112 * INT64_C(1);  /* F56, |x| <= 1 */
-    const int64_t pitch_114 = pitch_113 * INT64_C(16);  /* F60 */
-    const int64_t pitch_115 = (pitch_111 != 0) ? pitch_114 : pitch_107;  /* F60, |x| <= 2.02 */
-    const int32_t pitch_116 = pitch_110 * 1;  /* F33, |x| <= 0.126 */
-    const int32_t pitch_117 = round_short_2(pitch_116);  /* F31 */
-    const int32_t pitch_118 = (pitch_111 != 0) ? pitch_117 : pitch_110;  /* F31, |x| <= 0.501 */
-    const int32_t pitch_119 = pitch_115 < INT64_C(288230376151711744) /* 1/4 */;
+    const int64_t pitch_113 = clamp_64(pitch_108, INT64_C(0), INT64_C(72057594037927936));
+    const int64_t pitch_114 = pitch_113 * INT64_C(1);  /* F56, |x| <= 1 */
+    const int64_t pitch_115 = pitch_114 * INT64_C(16);  /* F60 */
+    const int64_t pitch_116 = (pitch_112 != 0) ? pitch_115 : pitch_108;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_117 = pitch_111 * 1;  /* F33, |x| <= 0.126 */
+    const int32_t pitch_118 = round_short_2(pitch_117);  /* F31 */
+    const int32_t pitch_119 = (pitch_112 != 0) ? pitch_118 : pitch_111;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_120 = pitch_116 < INT64_C(288230376151711744) /* 1/4 */;
     /* F60, |x| <= 0.25 */
-    const int64_t pitch_120 = clamp_64(pitch_115, INT64_C(0), INT64_C(288230376151711744));
-    const int64_t pitch_121 = pitch_120 * INT64_C(1);  /* F58, |x| <= 1 */
-    const int64_t pitch_122 = pitch_121 * INT64_C(4);  /* F60 */
-    const int64_t pitch_123 = (pitch_119 != 0) ? pitch_122 : pitch_115;  /* F60, |x| <= 2.02 */
-    const int32_t pitch_124 = pitch_118 * 1;  /* F32, |x| <= 0.251 */
-    const int32_t pitch_125 = round_short_1(pitch_124);  /* F31 */
-    const int32_t pitch_126 = (pitch_119 != 0) ? pitch_125 : pitch_118;  /* F31, |x| <= 0.501 */
-    const int32_t pitch_127 = round_31(pitch_123);  /* F27, |x| <= 8.07 */
-    const int32_t pitch_128 = clamp_32(pitch_127, 134217728, 536870912);  /* F27, |x| <= 4 */
+    const int64_t pitch_121 = clamp_64(pitch_116, INT64_C(0), INT64_C(288230376151711744));
+    const int64_t pitch_122 = pitch_121 * INT64_C(1);  /* F58, |x| <= 1 */
+    const int64_t pitch_123 = pitch_122 * INT64_C(4);  /* F60 */
+    const int64_t pitch_124 = (pitch_120 != 0) ? pitch_123 : pitch_116;  /* F60, |x| <= 2.02 */
+    const int32_t pitch_125 = pitch_119 * 1;  /* F32, |x| <= 0.251 */
+    const int32_t pitch_126 = round_short_1(pitch_125);  /* F31 */
+    const int32_t pitch_127 = (pitch_120 != 0) ? pitch_126 : pitch_119;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_128 = round_31(pitch_124);  /* F27, |x| <= 8.07 */
     const int32_t pitch_129 = clamp_32(pitch_128, 134217728, 536870912);  /* F27, |x| <= 4 */
-    const int64_t pitch_130 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_129;  /* F65 */
+    const int32_t pitch_130 = clamp_32(pitch_129, 134217728, 536870912);  /* F27, |x| <= 4 */
+    const int32_t pitch_131 = -pitch_130;  /* F27 */
+    const int64_t pitch_132 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_131;  /* F65 */
     /* F65 */
-    const int64_t pitch_131 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_130;
-    const int32_t pitch_132 = round_30(pitch_131);  /* F35, |x| <= 0.0387 */
-    const int64_t pitch_133 = (int64_t)pitch_129 * pitch_132;  /* F62 */
+    const int64_t pitch_133 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ + pitch_132;
+    const int32_t pitch_134 = round_30(pitch_133);  /* F35, |x| <= 0.0387 */
+    const int64_t pitch_135 = (int64_t)pitch_130 * pitch_134;  /* F62 */
     /* F62 */
-    const int64_t pitch_134 = pitch_133 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;
-    const int32_t pitch_135 = round_29(pitch_134);  /* F33, |x| <= 0.226 */
-    const int64_t pitch_136 = (int64_t)pitch_129 * pitch_135;  /* F60 */
+    const int64_t pitch_136 = pitch_135 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;
+    const int32_t pitch_137 = round_29(pitch_136);  /* F33, |x| <= 0.226 */
+    const int64_t pitch_138 = (int64_t)pitch_130 * pitch_137;  /* F60 */
     /* F60 */
-    const int64_t pitch_137 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_136;
-    const int32_t pitch_138 = round_29(pitch_137);  /* F31, |x| <= 0.725 */
-    const int64_t pitch_139 = (int64_t)pitch_129 * pitch_138;  /* F58 */
+    const int64_t pitch_139 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_138;
+    const int32_t pitch_140 = round_29(pitch_139);  /* F31, |x| <= 0.725 */
+    const int64_t pitch_141 = (int64_t)pitch_130 * pitch_140;  /* F58 */
     /* F58 */
-    const int64_t pitch_140 = pitch_139 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;
-    const int32_t pitch_141 = round_28(pitch_140);  /* F30, |x| <= 1.82 */
-    const int64_t pitch_142 = (int64_t)pitch_129 * pitch_141;  /* F57 */
+    const int64_t pitch_142 = pitch_141 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;
+    const int32_t pitch_143 = round_28(pitch_142);  /* F30, |x| <= 1.82 */
+    const int64_t pitch_144 = (int64_t)pitch_130 * pitch_143;  /* F57 */
     /* F57 */
-    const int64_t pitch_143 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_142;
-    const int32_t pitch_144 = round_29(pitch_143);  /* F28, |x| <= 7.44 */
-    const int32_t pitch_145 = clamp_32(pitch_144, 67108864, 335544320);  /* F28, |x| <= 1.25 */
-    const int64_t pitch_146 = (int64_t)pitch_145 * pitch_145;  /* F56 */
-    const int32_t pitch_147 = round_26(pitch_146);  /* F30, |x| <= 1.57 */
-    const int64_t pitch_148 = (int64_t)pitch_129 * pitch_147;  /* F57 */
-    const int64_t pitch_149 = INT64_C(144115188075855872) /* 1 */ - pitch_148;  /* F57 */
-    const int32_t pitch_150 = round_29(pitch_149);  /* F28, |x| <= 5.26 */
-    const int64_t pitch_151 = pitch_145 * INT64_C(536870912);  /* F57 */
-    const int64_t pitch_152 = (int64_t)pitch_145 * pitch_150;  /* F56 */
-    const int64_t pitch_153 = pitch_151 + pitch_152;  /* F57 */
-    const int32_t pitch_154 = round_28(pitch_153);  /* F29, |x| <= 3.04 */
-    const int32_t pitch_155 = clamp_32(pitch_154, 134217728, 671088640);  /* F29, |x| <= 1.25 */
-    const int64_t pitch_156 = (int64_t)pitch_155 * pitch_155;  /* F58 */
-    const int32_t pitch_157 = round_28(pitch_156);  /* F30, |x| <= 1.57 */
-    const int64_t pitch_158 = (int64_t)pitch_129 * pitch_157;  /* F57 */
-    const int64_t pitch_159 = INT64_C(144115188075855872) /* 1 */ - pitch_158;  /* F57 */
-    const int32_t pitch_160 = round_29(pitch_159);  /* F28, |x| <= 5.26 */
-    const int64_t pitch_161 = pitch_155 * INT64_C(536870912);  /* F58 */
-    const int64_t pitch_162 = (int64_t)pitch_155 * pitch_160;  /* F57 */
-    const int64_t pitch_163 = pitch_161 + pitch_162;  /* F58 */
-    const int32_t pitch_164 = round_29(pitch_163);  /* F29, |x| <= 3.04 */
-    const int32_t pitch_165 = clamp_32(pitch_164, 134217728, 671088640);  /* F29, |x| <= 1.25 */
-    const int64_t pitch_166 = (int64_t)pitch_128 * pitch_165;  /* F56 */
-    const int32_t pitch_167 = round_28(pitch_166);  /* F28, |x| <= 5.01 */
-    const int64_t pitch_168 = (int64_t)pitch_167 * pitch_126;  /* F59 */
-    const int32_t pitch_169 = round_30(pitch_168);  /* F29, |x| <= 2.51 */
-    const int32_t pitch_170 = pitch_85 < 0;
-    const int32_t pitch_171 = -pitch_85;  /* F29, |x| <= 2.51 */
-    const int32_t pitch_172 = (pitch_170 != 0) ? pitch_171 : pitch_85;  /* F29, |x| <= 2.51 */
-    const int32_t pitch_173 = pitch_169 < 0;
-    const int32_t pitch_174 = -pitch_169;  /* F29, |x| <= 2.51 */
-    const int32_t pitch_175 = (pitch_173 != 0) ? pitch_174 : pitch_169;  /* F29, |x| <= 2.51 */
-    const int32_t pitch_176 = pitch_175 < pitch_172;
-    const int32_t pitch_177 = (pitch_176 != 0) ? pitch_175 : pitch_172;  /* F29, |x| <= 2.51 */
-    const int32_t pitch_178 = (pitch_176 != 0) ? pitch_172 : pitch_175;  /* F29, |x| <= 2.51 */
-    const int64_t pitch_179 = (int64_t)889516847 /* 10355339/25000000 */ * pitch_178;  /* F60 */
-    const int32_t pitch_180 = round_30(pitch_179);  /* F30, |x| <= 1.04 */
-    const int64_t pitch_181 = pitch_180 * INT64_C(1);  /* F30 */
-    const int64_t pitch_182 = pitch_177 * INT64_C(2);  /* F30 */
-    const int32_t pitch_183 = pitch_181 < pitch_182;
-    const int64_t pitch_184 = (int64_t)pitch_177 - pitch_178;  /* F29 */
-    const int32_t pitch_185 = round_1(pitch_184);  /* F28, |x| <= 5.01 */
-    const int32_t pitch_186 = round_short_1(pitch_177);  /* F28 */
-    const int32_t pitch_187 = (pitch_183 != 0) ? pitch_185 : pitch_186;  /* F28, |x| <= 5.01 */
-    const int64_t pitch_188 = (int64_t)pitch_177 + pitch_178;  /* F29 */
-    const int32_t pitch_189 = round_1(pitch_188);  /* F28, |x| <= 5.01 */
-    const int32_t pitch_190 = round_short_1(pitch_178);  /* F28 */
-    const int32_t pitch_191 = (pitch_183 != 0) ? pitch_189 : pitch_190;  /* F28, |x| <= 5.01 */
-    const int32_t pitch_192 = clamp_32(pitch_191, 2, 2147483647);  /* F28, |x| <= 5.01 */
-    const int64_t pitch_193 = pitch_187 * INT64_C(4294967296);  /* F60 */
-    const int64_t pitch_194 = pitch_193 / pitch_192;  /* F32, |x| <= 6.72e+08 */
+    const int64_t pitch_145 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_144;
+    const int32_t pitch_146 = round_29(pitch_145);  /* F28, |x| <= 7.44 */
+    const int32_t pitch_147 = clamp_32(pitch_146, 67108864, 335544320);  /* F28, |x| <= 1.25 */
+    const int64_t pitch_148 = (int64_t)pitch_147 * pitch_147;  /* F56 */
+    const int32_t pitch_149 = round_26(pitch_148);  /* F30, |x| <= 1.57 */
+    const int64_t pitch_150 = (int64_t)pitch_131 * pitch_149;  /* F57 */
+    const int64_t pitch_151 = INT64_C(144115188075855872) /* 1 */ + pitch_150;  /* F57 */
+    const int32_t pitch_152 = round_29(pitch_151);  /* F28, |x| <= 5.26 */
+    const int64_t pitch_153 = pitch_147 * INT64_C(536870912);  /* F57 */
+    const int64_t pitch_154 = (int64_t)pitch_147 * pitch_152;  /* F56 */
+    const int64_t pitch_155 = pitch_153 + pitch_154;  /* F57 */
+    const int32_t pitch_156 = round_28(pitch_155);  /* F29, |x| <= 3.04 */
+    const int32_t pitch_157 = clamp_32(pitch_156, 134217728, 671088640);  /* F29, |x| <= 1.25 */
+    const int64_t pitch_158 = (int64_t)pitch_157 * pitch_157;  /* F58 */
+    const int32_t pitch_159 = round_28(pitch_158);  /* F30, |x| <= 1.57 */
+    const int64_t pitch_160 = (int64_t)pitch_131 * pitch_159;  /* F57 */
+    const int64_t pitch_161 = INT64_C(144115188075855872) /* 1 */ + pitch_160;  /* F57 */
+    const int32_t pitch_162 = round_29(pitch_161);  /* F28, |x| <= 5.26 */
+    const int64_t pitch_163 = pitch_157 * INT64_C(536870912);  /* F58 */
+    const int64_t pitch_164 = (int64_t)pitch_157 * pitch_162;  /* F57 */
+    const int64_t pitch_165 = pitch_163 + pitch_164;  /* F58 */
+    const int32_t pitch_166 = round_29(pitch_165);  /* F29, |x| <= 3.04 */
+    const int32_t pitch_167 = clamp_32(pitch_166, 134217728, 671088640);  /* F29, |x| <= 1.25 */
+    const int64_t pitch_168 = (int64_t)pitch_129 * pitch_167;  /* F56 */
+    const int32_t pitch_169 = round_28(pitch_168);  /* F28, |x| <= 5.01 */
+    const int64_t pitch_170 = (int64_t)pitch_169 * pitch_127;  /* F59 */
+    const int32_t pitch_171 = round_30(pitch_170);  /* F29, |x| <= 2.51 */
+    const int32_t pitch_172 = pitch_86 < 0;
+    const int32_t pitch_173 = -pitch_86;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_174 = (pitch_172 != 0) ? pitch_173 : pitch_86;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_175 = pitch_171 < 0;
+    const int32_t pitch_176 = -pitch_171;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_177 = (pitch_175 != 0) ? pitch_176 : pitch_171;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_178 = pitch_177 < pitch_174;
+    const int32_t pitch_179 = (pitch_178 != 0) ? pitch_177 : pitch_174;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_180 = (pitch_178 != 0) ? pitch_174 : pitch_177;  /* F29, |x| <= 2.51 */
+    const int64_t pitch_181 = (int64_t)889516847 /* 10355339/25000000 */ * pitch_180;  /* F60 */
+    const int32_t pitch_182 = round_30(pitch_181);  /* F30, |x| <= 1.04 */
+    const int64_t pitch_183 = pitch_182 * INT64_C(1);  /* F30 */
+    const int64_t pitch_184 = pitch_179 * INT64_C(2);  /* F30 */
+    const int32_t pitch_185 = pitch_183 < pitch_184;
+    const int64_t pitch_186 = (int64_t)pitch_179 - pitch_180;  /* F29 */
+    const int32_t pitch_187 = round_1(pitch_186);  /* F28, |x| <= 5.01 */
+    const int32_t pitch_188 = round_short_1(pitch_179);  /* F28 */
+    const int32_t pitch_189 = (pitch_185 != 0) ? pitch_187 : pitch_188;  /* F28, |x| <= 5.01 */
+    const int64_t pitch_190 = (int64_t)pitch_179 + pitch_180;  /* F29 */
+    const int32_t pitch_191 = round_1(pitch_190);  /* F28, |x| <= 5.01 */
+    const int32_t pitch_192 = round_short_1(pitch_180);  /* F28 */
+    const int32_t pitch_193 = (pitch_185 != 0) ? pitch_191 : pitch_192;  /* F28, |x| <= 5.01 */
+    const int32_t pitch_194 = clamp_32(pitch_193, 2, 2147483647);  /* F28, |x| <= 5.01 */
+    const int64_t pitch_195 = pitch_189 * INT64_C(4294967296);  /* F60 */
+    const int64_t pitch_196 = pitch_195 / pitch_194;  /* F32, |x| <= 6.72e+08 */
     /* F32, |x| <= 0.415 */
-    const int32_t pitch_195 = clamp_64_to_32(pitch_194, INT64_C(-1779404950), INT64_C(1779404950));
-    const int64_t pitch_196 = (int64_t)pitch_195 * pitch_195;  /* F64 */
-    const int32_t pitch_197 = round_31(pitch_196);  /* F33, |x| <= 0.172 */
-    const int64_t pitch_198 = (int64_t)510875761 /* 382/6423 */ * pitch_197;  /* F66 */
-    const int64_t pitch_199 = INT64_C(7773993415904670242) /* 1650/15661 */ - pitch_198;  /* F66 */
-    const int32_t pitch_200 = round_34(pitch_199);  /* F32, |x| <= 0.106 */
-    const int64_t pitch_201 = (int64_t)pitch_197 * pitch_200;  /* F65 */
-    const int64_t pitch_202 = pitch_201 - INT64_C(5251586747234353517) /* 7339/51558 */;  /* F65 */
-    const int32_t pitch_203 = round_33(pitch_202);  /* F32, |x| <= 0.143 */
-    const int64_t pitch_204 = (int64_t)pitch_197 * pitch_203;  /* F65 */
-    const int64_t pitch_205 = INT64_C(7377920055805538292) /* 58828/294171 */ + pitch_204;  /* F65 */
-    const int32_t pitch_206 = round_34(pitch_205);  /* F31, |x| <= 0.2 */
-    const int64_t pitch_207 = (int64_t)pitch_197 * pitch_206;  /* F64 */
-    const int64_t pitch_208 = pitch_207 - INT64_C(6148909082171862706) /* 365415/1096246 */;  /* F64 */
-    const int32_t pitch_209 = round_32(pitch_208);  /* F32, |x| <= 0.334 */
-    const int64_t pitch_210 = (int64_t)pitch_197 * pitch_209;  /* F65 */
-    const int32_t pitch_211 = round_30(pitch_210);  /* F35, |x| <= 0.0573 */
-    const int64_t pitch_212 = (int64_t)pitch_195 * pitch_211;  /* F67 */
-    const int32_t pitch_213 = round_35(pitch_212);  /* F32, |x| <= 0.0238 */
-    const int32_t pitch_214 = pitch_195 + pitch_213;  /* F32, |x| <= 0.439 */
-    const int64_t pitch_215 = INT64_C(3373259426) + pitch_214;  /* F32 */
-    const int32_t pitch_216 = round_2(pitch_215);  /* F30, |x| <= 1.23 */
-    const int32_t pitch_217 = round_short_2(pitch_214);  /* F30 */
-    const int32_t pitch_218 = (pitch_183 != 0) ? pitch_216 : pitch_217;  /* F30, |x| <= 1.23 */
-    const int64_t pitch_219 = INT64_C(1686629713) - pitch_218;  /* F30 */
-    const int32_t pitch_220 = round_1(pitch_219);  /* F29, |x| <= 2.01 */
-    const int32_t pitch_221 = round_short_1(pitch_218);  /* F29 */
-    const int32_t pitch_222 = (pitch_176 != 0) ? pitch_220 : pitch_221;  /* F29, |x| <= 2.01 */
-    const int64_t pitch_223 = INT64_C(1686629713) - pitch_222;  /* F29 */
-    const int32_t pitch_224 = (int32_t)pitch_223;  /* F29, |x| <= 3.58 */
-    const int32_t pitch_225 = (pitch_173 != 0) ? pitch_224 : pitch_222;  /* F29, |x| <= 3.58 */
-    const int32_t pitch_226 = -pitch_225;  /* F29, |x| <= 3.58 */
-    const int32_t pitch_227 = (pitch_170 != 0) ? pitch_226 : pitch_225;  /* F29, |x| <= 3.58 */
-    const int64_t pitch_228 = pitch_227 - INT64_C(421657428);  /* F28 */
-    const int32_t pitch_229 = round_1(pitch_228);  /* F27, |x| <= 8.73 */
-    const int32_t pitch = clamp_32(pitch_229, -210829207, 210829207);  /* F27, |x| <= 1.58 */
+    const int32_t pitch_197 = clamp_64_to_32(pitch_196, INT64_C(-1779404950), INT64_C(1779404950));
+    const int64_t pitch_198 = (int64_t)pitch_197 * pitch_197;  /* F64 */
+    const int32_t pitch_199 = round_31(pitch_198);  /* F33, |x| <= 0.172 */
+    const int64_t pitch_200 = (int64_t)510875761 /* 382/6423 */ * pitch_199;  /* F66 */
+    const int64_t pitch_201 = INT64_C(7773993415904670242) /* 1650/15661 */ - pitch_200;  /* F66 */
+    const int32_t pitch_202 = round_34(pitch_201);  /* F32, |x| <= 0.106 */
+    const int64_t pitch_203 = (int64_t)pitch_199 * pitch_202;  /* F65 */
+    const int64_t pitch_204 = pitch_203 - INT64_C(5251586747234353517) /* 7339/51558 */;  /* F65 */
+    const int32_t pitch_205 = round_33(pitch_204);  /* F32, |x| <= 0.143 */
+    const int64_t pitch_206 = (int64_t)pitch_199 * pitch_205;  /* F65 */
+    const int64_t pitch_207 = INT64_C(7377920055805538292) /* 58828/294171 */ + pitch_206;  /* F65 */
+    const int32_t pitch_208 = round_34(pitch_207);  /* F31, |x| <= 0.2 */
+    const int64_t pitch_209 = (int64_t)pitch_199 * pitch_208;  /* F64 */
+    const int64_t pitch_210 = pitch_209 - INT64_C(6148909082171862706) /* 365415/1096246 */;  /* F64 */
+    const int32_t pitch_211 = round_32(pitch_210);  /* F32, |x| <= 0.334 */
+    const int64_t pitch_212 = (int64_t)pitch_199 * pitch_211;  /* F65 */
+    const int32_t pitch_213 = round_30(pitch_212);  /* F35, |x| <= 0.0573 */
+    const int64_t pitch_214 = (int64_t)pitch_197 * pitch_213;  /* F67 */
+    const int32_t pitch_215 = round_35(pitch_214);  /* F32, |x| <= 0.0238 */
+    const int32_t pitch_216 = pitch_197 + pitch_215;  /* F32, |x| <= 0.439 */
+    const int64_t pitch_217 = INT64_C(3373259426) + pitch_216;  /* F32 */
+    const int32_t pitch_218 = round_2(pitch_217);  /* F30, |x| <= 1.23 */
+    const int32_t pitch_219 = round_short_2(pitch_216);  /* F30 */
+    const int32_t pitch_220 = (pitch_185 != 0) ? pitch_218 : pitch_219;  /* F30, |x| <= 1.23 */
+    const int64_t pitch_221 = INT64_C(1686629713) - pitch_220;  /* F30 */
+    const int32_t pitch_222 = round_1(pitch_221);  /* F29, |x| <= 2.01 */
+    const int32_t pitch_223 = round_short_1(pitch_220);  /* F29 */
+    const int32_t pitch_224 = (pitch_178 != 0) ? pitch_222 : pitch_223;  /* F29, |x| <= 2.01 */
+    const int64_t pitch_225 = INT64_C(1686629713) - pitch_224;  /* F29 */
+    const int32_t pitch_226 = (int32_t)pitch_225;  /* F29, |x| <= 3.58 */
+    const int32_t pitch_227 = (pitch_175 != 0) ? pitch_226 : pitch_224;  /* F29, |x| <= 3.58 */
+    const int32_t pitch_228 = -pitch_227;  /* F29, |x| <= 3.58 */
+    const int32_t pitch_229 = (pitch_172 != 0) ? pitch_228 : pitch_227;  /* F29, |x| <= 3.58 */
+    const int64_t pitch_230 = pitch_229 - INT64_C(421657428);  /* F28 */
+    const int32_t pitch_231 = round_1(pitch_230);  /* F27, |x| <= 8.73 */
+    const int32_t pitch = clamp_32(pitch_231, -210829207, 210829207);  /* F27, |x| <= 1.58 */
 
     /* roll = half_sum - half_difference, in [-pi, pi] */
     const int64_t roll_1 = (int64_t)half_sum - half_difference;  /* F29 */
@@ -1178,15 +1185,6 @@ void rotation_vector_3_coning_rins_fixed32_compensated_correct(
 {
     /* the encoder's angle and the harmonics, read once */
     const int32_t al = encoder[0];  /* F27, |x| <= 9.44 */
-    const int32_t azimuth_sine = state->azimuth_harmonic[0];  /* F39, |x| <= 0.00291 */
-    const int32_t azimuth_cosine = state->azimuth_harmonic[1];  /* F39, |x| <= 0.00291 */
-    const int32_t azimuth_offset = state->azimuth_harmonic[2];  /* F39, |x| <= 0.00291 */
-    const int32_t tilt_x_sine = state->tilt_x_harmonic[0];  /* F39, |x| <= 0.00291 */
-    const int32_t tilt_x_cosine = state->tilt_x_harmonic[1];  /* F39, |x| <= 0.00291 */
-    const int32_t tilt_x_offset = state->tilt_x_harmonic[2];  /* F39, |x| <= 0.00291 */
-    const int32_t tilt_y_sine = state->tilt_y_harmonic[0];  /* F39, |x| <= 0.00291 */
-    const int32_t tilt_y_cosine = state->tilt_y_harmonic[1];  /* F39, |x| <= 0.00291 */
-    const int32_t tilt_y_offset = state->tilt_y_harmonic[2];  /* F39, |x| <= 0.00291 */
 
     /* cos_al = cos al, with sin_al = sin al: al folded to [0, pi/4], polynomials */
     const int32_t sin_al_1 = 421657428 < al;
@@ -1247,6 +1245,11 @@ void rotation_vector_3_coning_rins_fixed32_compensated_correct(
     const int32_t cos_al_3 = -cos_al_2;  /* F30, |x| <= 1.01 */
     const int32_t cos_al = (sin_al_13 != 0) ? cos_al_3 : cos_al_2;  /* F30, |x| <= 1.01 */
 
+    /* the encoder's angle and the harmonics, read once */
+    const int32_t azimuth_sine = state->azimuth_harmonic[0];  /* F39, |x| <= 0.00291 */
+    const int32_t azimuth_cosine = state->azimuth_harmonic[1];  /* F39, |x| <= 0.00291 */
+    const int32_t azimuth_offset = state->azimuth_harmonic[2];  /* F39, |x| <= 0.00291 */
+
     /* error = A sin al + B cos al + C   [rins (13)] */
     const int64_t error_1 = (int64_t)azimuth_sine * sin_al;  /* F69 */
     const int64_t error_2 = (int64_t)azimuth_cosine * cos_al;  /* F69 */
@@ -1293,6 +1296,11 @@ void rotation_vector_3_coning_rins_fixed32_compensated_correct(
     const int64_t cos_2al_2 = INT64_C(576460752303423488) /* 1 */ - cos_2al_1;  /* F59 */
     const int32_t cos_2al = round_29(cos_2al_2);  /* F30, |x| <= 1.04 */
 
+    /* the encoder's angle and the harmonics, read once */
+    const int32_t tilt_x_sine = state->tilt_x_harmonic[0];  /* F39, |x| <= 0.00291 */
+    const int32_t tilt_x_cosine = state->tilt_x_harmonic[1];  /* F39, |x| <= 0.00291 */
+    const int32_t tilt_x_offset = state->tilt_x_harmonic[2];  /* F39, |x| <= 0.00291 */
+
     /* delta_x = A2 sin 2al + B2 cos 2al + C2   [rins (16)] */
     const int64_t delta_x_1 = (int64_t)tilt_x_sine * sin_2al;  /* F68 */
     const int64_t delta_x_2 = delta_x_1 * INT64_C(2);  /* F69 */
@@ -1301,6 +1309,11 @@ void rotation_vector_3_coning_rins_fixed32_compensated_correct(
     const int64_t delta_x_5 = tilt_x_offset * INT64_C(1073741824);  /* F69 */
     const int64_t delta_x_6 = delta_x_4 + delta_x_5;  /* F69 */
     const int32_t delta_x = round_33(delta_x_6);  /* F36, |x| <= 0.0119 */
+
+    /* the encoder's angle and the harmonics, read once */
+    const int32_t tilt_y_sine = state->tilt_y_harmonic[0];  /* F39, |x| <= 0.00291 */
+    const int32_t tilt_y_cosine = state->tilt_y_harmonic[1];  /* F39, |x| <= 0.00291 */
+    const int32_t tilt_y_offset = state->tilt_y_harmonic[2];  /* F39, |x| <= 0.00291 */
 
     /* delta_y = A2 sin 2al + B2 cos 2al + C2   [rins (16)] */
     const int64_t delta_y_1 = (int64_t)tilt_y_sine * sin_2al;  /* F68 */
@@ -1320,16 +1333,6 @@ void rotation_vector_3_coning_rins_fixed32_compensated_body_quaternion(
     const rotation_vector_3_coning_rins_fixed32_compensated_state *state, const int32_t angle[1],
     const int32_t tilt[2], int32_t q_nb[4])
 {
-    /* q, read once */
-    const int64_t q_w_whole = state->q[0];  /* F62, |x| <= 1.01 */
-    const int32_t q_w = round_32(q_w_whole);  /* F30, |x| <= 1.01 */
-    const int64_t q_x_whole = state->q[1];  /* F62, |x| <= 1.01 */
-    const int32_t q_x = round_32(q_x_whole);  /* F30, |x| <= 1.01 */
-    const int64_t q_y_whole = state->q[2];  /* F62, |x| <= 1.01 */
-    const int32_t q_y = round_32(q_y_whole);  /* F30, |x| <= 1.01 */
-    const int64_t q_z_whole = state->q[3];  /* F62, |x| <= 1.01 */
-    const int32_t q_z = round_32(q_z_whole);  /* F30, |x| <= 1.01 */
-
     /* corrected angle and tilts */
     const int32_t al = angle[0];  /* F27, |x| <= 9.44 */
     const int32_t delta_x = tilt[0];  /* F36, |x| <= 0.0175 */
@@ -1456,45 +1459,60 @@ void rotation_vector_3_coning_rins_fixed32_compensated_body_quaternion(
     const int32_t q_sb_z_negated = round_32(q_sb_z_negated_4);  /* F30, |x| <= 1.01 */
 
     /* q_nb = q_ns (x) q_sb   [rins (10)] */
+    const int32_t q_sb_x_negated = -q_sb_x;  /* F32 */
+
+    /* q, read once */
+    const int64_t q_w_whole = state->q[0];  /* F62, |x| <= 1.01 */
+    const int32_t q_w = round_32(q_w_whole);  /* F30, |x| <= 1.01 */
+    const int64_t q_x_whole = state->q[1];  /* F62, |x| <= 1.01 */
+    const int32_t q_x = round_32(q_x_whole);  /* F30, |x| <= 1.01 */
+    const int64_t q_y_whole = state->q[2];  /* F62, |x| <= 1.01 */
+    const int32_t q_y = round_32(q_y_whole);  /* F30, |x| <= 1.01 */
+    const int64_t q_z_whole = state->q[3];  /* F62, |x| <= 1.01 */
+    const int32_t q_z = round_32(q_z_whole);  /* F30, |x| <= 1.01 */
+
+    /* q_nb = q_ns (x) q_sb   [rins (10)] */
     const int64_t q_nb_w_1 = (int64_t)q_w * q_sb_w;  /* F60 */
     const int64_t q_nb_w_2 = q_nb_w_1 * INT64_C(4);  /* F62 */
-    const int64_t q_nb_w_3 = (int64_t)q_x * q_sb_x;  /* F62 */
-    const int64_t q_nb_w_4 = q_nb_w_2 - q_nb_w_3;  /* F62 */
+    const int64_t q_nb_w_3 = (int64_t)q_x * q_sb_x_negated;  /* F62 */
+    const int64_t q_nb_w_4 = q_nb_w_2 + q_nb_w_3;  /* F62 */
     const int64_t q_nb_w_5 = (int64_t)q_y * q_sb_y_negated;  /* F62 */
     const int64_t q_nb_w_6 = q_nb_w_4 + q_nb_w_5;  /* F62 */
     const int64_t q_nb_w_7 = (int64_t)q_z * q_sb_z_negated;  /* F60 */
     const int64_t q_nb_w_8 = q_nb_w_7 * INT64_C(4);  /* F62 */
     const int64_t q_nb_w_9 = q_nb_w_6 + q_nb_w_8;  /* F62 */
     const int32_t q_nb_w_10 = round_32(q_nb_w_9);  /* F30, |x| <= 1.43 */
+    const int32_t q_sb_z_negated_negated = -q_sb_z_negated;  /* F30 */
     const int64_t q_nb_x_1 = (int64_t)q_x * q_sb_w;  /* F60 */
     const int64_t q_nb_x_2 = q_nb_x_1 * INT64_C(4);  /* F62 */
     const int64_t q_nb_x_3 = (int64_t)q_w * q_sb_x;  /* F62 */
     const int64_t q_nb_x_4 = q_nb_x_2 + q_nb_x_3;  /* F62 */
     const int64_t q_nb_x_5 = (int64_t)q_z * q_sb_y_negated;  /* F62 */
     const int64_t q_nb_x_6 = q_nb_x_4 + q_nb_x_5;  /* F62 */
-    const int64_t q_nb_x_7 = (int64_t)q_y * q_sb_z_negated;  /* F60 */
+    const int64_t q_nb_x_7 = (int64_t)q_y * q_sb_z_negated_negated;  /* F60 */
     const int64_t q_nb_x_8 = q_nb_x_7 * INT64_C(4);  /* F62 */
-    const int64_t q_nb_x_9 = q_nb_x_6 - q_nb_x_8;  /* F62 */
+    const int64_t q_nb_x_9 = q_nb_x_6 + q_nb_x_8;  /* F62 */
     const int32_t q_nb_x_10 = round_32(q_nb_x_9);  /* F30, |x| <= 1.43 */
+    const int32_t q_sb_y_negated_negated = -q_sb_y_negated;  /* F32 */
     const int64_t q_nb_y_1 = (int64_t)q_y * q_sb_w;  /* F60 */
     const int64_t q_nb_y_2 = q_nb_y_1 * INT64_C(4);  /* F62 */
     const int64_t q_nb_y_3 = (int64_t)q_z * q_sb_x;  /* F62 */
     const int64_t q_nb_y_4 = q_nb_y_2 + q_nb_y_3;  /* F62 */
-    const int64_t q_nb_y_5 = (int64_t)q_w * q_sb_y_negated;  /* F62 */
-    const int64_t q_nb_y_6 = q_nb_y_4 - q_nb_y_5;  /* F62 */
+    const int64_t q_nb_y_5 = (int64_t)q_w * q_sb_y_negated_negated;  /* F62 */
+    const int64_t q_nb_y_6 = q_nb_y_4 + q_nb_y_5;  /* F62 */
     const int64_t q_nb_y_7 = (int64_t)q_x * q_sb_z_negated;  /* F60 */
     const int64_t q_nb_y_8 = q_nb_y_7 * INT64_C(4);  /* F62 */
     const int64_t q_nb_y_9 = q_nb_y_6 + q_nb_y_8;  /* F62 */
     const int32_t q_nb_y_10 = round_32(q_nb_y_9);  /* F30, |x| <= 1.43 */
     const int64_t q_nb_z_1 = (int64_t)q_z * q_sb_w;  /* F60 */
     const int64_t q_nb_z_2 = q_nb_z_1 * INT64_C(4);  /* F62 */
-    const int64_t q_nb_z_3 = (int64_t)q_y * q_sb_x;  /* F62 */
-    const int64_t q_nb_z_4 = q_nb_z_2 - q_nb_z_3;  /* F62 */
-    const int64_t q_nb_z_5 = (int64_t)q_x * q_sb_y_negated;  /* F62 */
-    const int64_t q_nb_z_6 = q_nb_z_4 - q_nb_z_5;  /* F62 */
-    const int64_t q_nb_z_7 = (int64_t)q_w * q_sb_z_negated;  /* F60 */
+    const int64_t q_nb_z_3 = (int64_t)q_y * q_sb_x_negated;  /* F62 */
+    const int64_t q_nb_z_4 = q_nb_z_2 + q_nb_z_3;  /* F62 */
+    const int64_t q_nb_z_5 = (int64_t)q_x * q_sb_y_negated_negated;  /* F62 */
+    const int64_t q_nb_z_6 = q_nb_z_4 + q_nb_z_5;  /* F62 */
+    const int64_t q_nb_z_7 = (int64_t)q_w * q_sb_z_negated_negated;  /* F60 */
     const int64_t q_nb_z_8 = q_nb_z_7 * INT64_C(4);  /* F62 */
-    const int64_t q_nb_z_9 = q_nb_z_6 - q_nb_z_8;  /* F62 */
+    const int64_t q_nb_z_9 = q_nb_z_6 + q_nb_z_8;  /* F62 */
     const int32_t q_nb_z_10 = round_32(q_nb_z_9);  /* F30, |x| <= 1.43 */
     const int32_t q_nb_w = clamp_32(q_nb_w_10, -1082130432, 1082130432);  /* F30, |x| <= 1.01 */
     const int32_t q_nb_x = clamp_32(q_nb_x_10, -1082130432, 1082130432);  /* F30, |x| <= 1.01 */
@@ -1537,9 +1555,9 @@ void rotation_vector_3_coning_rins_fixed32_compensated_body_dcm(const int32_t q_
 
     /* c_nb = C_nb(q)   [cao (15)] */
     const int64_t c_nb_11_1 = yy * INT64_C(2);  /* F30 */
-    const int64_t c_nb_11_2 = INT64_C(1073741824) /* 1 */ - c_nb_11_1;  /* F30 */
-    const int64_t c_nb_11_3 = zz * INT64_C(2);  /* F30 */
-    const int64_t c_nb_11_4 = c_nb_11_2 - c_nb_11_3;  /* F30 */
+    const int64_t c_nb_11_2 = zz * INT64_C(2);  /* F30 */
+    const int64_t c_nb_11_3 = c_nb_11_1 + c_nb_11_2;  /* F30 */
+    const int64_t c_nb_11_4 = INT64_C(1073741824) /* 1 */ - c_nb_11_3;  /* F30 */
     const int32_t c_nb_11 = (int32_t)c_nb_11_4;  /* F30, |x| <= 1.01 */
     const int64_t c_nb_12_1 = (int64_t)xy - wz;  /* F30 */
     const int32_t c_nb_12 = (int32_t)c_nb_12_1;  /* F30, |x| <= 1.01 */
@@ -1548,9 +1566,9 @@ void rotation_vector_3_coning_rins_fixed32_compensated_body_dcm(const int32_t q_
     const int64_t c_nb_21_1 = (int64_t)xy + wz;  /* F30 */
     const int32_t c_nb_21 = (int32_t)c_nb_21_1;  /* F30, |x| <= 1.01 */
     const int64_t c_nb_22_1 = xx * INT64_C(2);  /* F30 */
-    const int64_t c_nb_22_2 = INT64_C(1073741824) /* 1 */ - c_nb_22_1;  /* F30 */
-    const int64_t c_nb_22_3 = zz * INT64_C(2);  /* F30 */
-    const int64_t c_nb_22_4 = c_nb_22_2 - c_nb_22_3;  /* F30 */
+    const int64_t c_nb_22_2 = zz * INT64_C(2);  /* F30 */
+    const int64_t c_nb_22_3 = c_nb_22_1 + c_nb_22_2;  /* F30 */
+    const int64_t c_nb_22_4 = INT64_C(1073741824) /* 1 */ - c_nb_22_3;  /* F30 */
     const int32_t c_nb_22 = (int32_t)c_nb_22_4;  /* F30, |x| <= 1.01 */
     const int64_t c_nb_23_1 = (int64_t)yz - wx;  /* F30 */
     const int32_t c_nb_23 = (int32_t)c_nb_23_1;  /* F30, |x| <= 1.01 */
@@ -1559,9 +1577,9 @@ void rotation_vector_3_coning_rins_fixed32_compensated_body_dcm(const int32_t q_
     const int64_t c_nb_32_1 = (int64_t)yz + wx;  /* F30 */
     const int32_t c_nb_32 = (int32_t)c_nb_32_1;  /* F30, |x| <= 1.01 */
     const int64_t c_nb_33_1 = xx * INT64_C(2);  /* F30 */
-    const int64_t c_nb_33_2 = INT64_C(1073741824) /* 1 */ - c_nb_33_1;  /* F30 */
-    const int64_t c_nb_33_3 = yy * INT64_C(2);  /* F30 */
-    const int64_t c_nb_33_4 = c_nb_33_2 - c_nb_33_3;  /* F30 */
+    const int64_t c_nb_33_2 = yy * INT64_C(2);  /* F30 */
+    const int64_t c_nb_33_3 = c_nb_33_1 + c_nb_33_2;  /* F30 */
+    const int64_t c_nb_33_4 = INT64_C(1073741824) /* 1 */ - c_nb_33_3;  /* F30 */
     const int32_t c_nb_33 = (int32_t)c_nb_33_4;  /* F30, |x| <= 1.01 */
 
     c_nb[0] = c_nb_11;
@@ -1779,208 +1797,210 @@ void rotation_vector_3_coning_rins_fixed32_compensated_body_euler(const int32_t 
     const int32_t pitch_43 = round_31(pitch_39);  /* F27, |x| <= 8.02 */
     const int32_t pitch_44 = clamp_32(pitch_43, 134217728, 536870912);  /* F27, |x| <= 4 */
     const int32_t pitch_45 = clamp_32(pitch_44, 134217728, 536870912);  /* F27, |x| <= 4 */
-    const int64_t pitch_46 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_45;  /* F65 */
+    const int32_t pitch_46 = -pitch_45;  /* F27 */
+    const int64_t pitch_47 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_46;  /* F65 */
     /* F65 */
-    const int64_t pitch_47 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_46;
-    const int32_t pitch_48 = round_30(pitch_47);  /* F35, |x| <= 0.0387 */
-    const int64_t pitch_49 = (int64_t)pitch_45 * pitch_48;  /* F62 */
+    const int64_t pitch_48 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ + pitch_47;
+    const int32_t pitch_49 = round_30(pitch_48);  /* F35, |x| <= 0.0387 */
+    const int64_t pitch_50 = (int64_t)pitch_45 * pitch_49;  /* F62 */
     /* F62 */
-    const int64_t pitch_50 = pitch_49 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;
-    const int32_t pitch_51 = round_29(pitch_50);  /* F33, |x| <= 0.226 */
-    const int64_t pitch_52 = (int64_t)pitch_45 * pitch_51;  /* F60 */
+    const int64_t pitch_51 = pitch_50 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;
+    const int32_t pitch_52 = round_29(pitch_51);  /* F33, |x| <= 0.226 */
+    const int64_t pitch_53 = (int64_t)pitch_45 * pitch_52;  /* F60 */
     /* F60 */
-    const int64_t pitch_53 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_52;
-    const int32_t pitch_54 = round_29(pitch_53);  /* F31, |x| <= 0.725 */
-    const int64_t pitch_55 = (int64_t)pitch_45 * pitch_54;  /* F58 */
+    const int64_t pitch_54 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_53;
+    const int32_t pitch_55 = round_29(pitch_54);  /* F31, |x| <= 0.725 */
+    const int64_t pitch_56 = (int64_t)pitch_45 * pitch_55;  /* F58 */
     /* F58 */
-    const int64_t pitch_56 = pitch_55 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;
-    const int32_t pitch_57 = round_28(pitch_56);  /* F30, |x| <= 1.82 */
-    const int64_t pitch_58 = (int64_t)pitch_45 * pitch_57;  /* F57 */
+    const int64_t pitch_57 = pitch_56 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;
+    const int32_t pitch_58 = round_28(pitch_57);  /* F30, |x| <= 1.82 */
+    const int64_t pitch_59 = (int64_t)pitch_45 * pitch_58;  /* F57 */
     /* F57 */
-    const int64_t pitch_59 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_58;
-    const int32_t pitch_60 = round_29(pitch_59);  /* F28, |x| <= 7.44 */
-    const int32_t pitch_61 = clamp_32(pitch_60, 67108864, 335544320);  /* F28, |x| <= 1.25 */
-    const int64_t pitch_62 = (int64_t)pitch_61 * pitch_61;  /* F56 */
-    const int32_t pitch_63 = round_26(pitch_62);  /* F30, |x| <= 1.57 */
-    const int64_t pitch_64 = (int64_t)pitch_45 * pitch_63;  /* F57 */
-    const int64_t pitch_65 = INT64_C(144115188075855872) /* 1 */ - pitch_64;  /* F57 */
-    const int32_t pitch_66 = round_29(pitch_65);  /* F28, |x| <= 5.26 */
-    const int64_t pitch_67 = pitch_61 * INT64_C(536870912);  /* F57 */
-    const int64_t pitch_68 = (int64_t)pitch_61 * pitch_66;  /* F56 */
-    const int64_t pitch_69 = pitch_67 + pitch_68;  /* F57 */
-    const int32_t pitch_70 = round_28(pitch_69);  /* F29, |x| <= 3.04 */
-    const int32_t pitch_71 = clamp_32(pitch_70, 134217728, 671088640);  /* F29, |x| <= 1.25 */
-    const int64_t pitch_72 = (int64_t)pitch_71 * pitch_71;  /* F58 */
-    const int32_t pitch_73 = round_28(pitch_72);  /* F30, |x| <= 1.57 */
-    const int64_t pitch_74 = (int64_t)pitch_45 * pitch_73;  /* F57 */
-    const int64_t pitch_75 = INT64_C(144115188075855872) /* 1 */ - pitch_74;  /* F57 */
-    const int32_t pitch_76 = round_29(pitch_75);  /* F28, |x| <= 5.26 */
-    const int64_t pitch_77 = pitch_71 * INT64_C(536870912);  /* F58 */
-    const int64_t pitch_78 = (int64_t)pitch_71 * pitch_76;  /* F57 */
-    const int64_t pitch_79 = pitch_77 + pitch_78;  /* F58 */
-    const int32_t pitch_80 = round_29(pitch_79);  /* F29, |x| <= 3.04 */
-    const int32_t pitch_81 = clamp_32(pitch_80, 134217728, 671088640);  /* F29, |x| <= 1.25 */
-    const int64_t pitch_82 = (int64_t)pitch_44 * pitch_81;  /* F56 */
-    const int32_t pitch_83 = round_28(pitch_82);  /* F28, |x| <= 5.01 */
-    const int64_t pitch_84 = (int64_t)pitch_83 * pitch_42;  /* F59 */
-    const int32_t pitch_85 = round_30(pitch_84);  /* F29, |x| <= 2.51 */
-    const int64_t pitch_86 = (int64_t)half_difference_4 * half_difference_4;  /* F58 */
-    const int64_t pitch_87 = (int64_t)half_difference_2 * half_difference_2;  /* F58 */
-    const int64_t pitch_88 = pitch_86 + pitch_87;  /* F60, |x| <= 2.01 */
-    const int32_t pitch_89 = pitch_88 < INT64_C(268435456) /* 1/4294967296 */;
+    const int64_t pitch_60 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_59;
+    const int32_t pitch_61 = round_29(pitch_60);  /* F28, |x| <= 7.44 */
+    const int32_t pitch_62 = clamp_32(pitch_61, 67108864, 335544320);  /* F28, |x| <= 1.25 */
+    const int64_t pitch_63 = (int64_t)pitch_62 * pitch_62;  /* F56 */
+    const int32_t pitch_64 = round_26(pitch_63);  /* F30, |x| <= 1.57 */
+    const int64_t pitch_65 = (int64_t)pitch_46 * pitch_64;  /* F57 */
+    const int64_t pitch_66 = INT64_C(144115188075855872) /* 1 */ + pitch_65;  /* F57 */
+    const int32_t pitch_67 = round_29(pitch_66);  /* F28, |x| <= 5.26 */
+    const int64_t pitch_68 = pitch_62 * INT64_C(536870912);  /* F57 */
+    const int64_t pitch_69 = (int64_t)pitch_62 * pitch_67;  /* F56 */
+    const int64_t pitch_70 = pitch_68 + pitch_69;  /* F57 */
+    const int32_t pitch_71 = round_28(pitch_70);  /* F29, |x| <= 3.04 */
+    const int32_t pitch_72 = clamp_32(pitch_71, 134217728, 671088640);  /* F29, |x| <= 1.25 */
+    const int64_t pitch_73 = (int64_t)pitch_72 * pitch_72;  /* F58 */
+    const int32_t pitch_74 = round_28(pitch_73);  /* F30, |x| <= 1.57 */
+    const int64_t pitch_75 = (int64_t)pitch_46 * pitch_74;  /* F57 */
+    const int64_t pitch_76 = INT64_C(144115188075855872) /* 1 */ + pitch_75;  /* F57 */
+    const int32_t pitch_77 = round_29(pitch_76);  /* F28, |x| <= 5.26 */
+    const int64_t pitch_78 = pitch_72 * INT64_C(536870912);  /* F58 */
+    const int64_t pitch_79 = (int64_t)pitch_72 * pitch_77;  /* F57 */
+    const int64_t pitch_80 = pitch_78 + pitch_79;  /* F58 */
+    const int32_t pitch_81 = round_29(pitch_80);  /* F29, |x| <= 3.04 */
+    const int32_t pitch_82 = clamp_32(pitch_81, 134217728, 671088640);  /* F29, |x| <= 1.25 */
+    const int64_t pitch_83 = (int64_t)pitch_44 * pitch_82;  /* F56 */
+    const int32_t pitch_84 = round_28(pitch_83);  /* F28, |x| <= 5.01 */
+    const int64_t pitch_85 = (int64_t)pitch_84 * pitch_42;  /* F59 */
+    const int32_t pitch_86 = round_30(pitch_85);  /* F29, |x| <= 2.51 */
+    const int64_t pitch_87 = (int64_t)half_difference_4 * half_difference_4;  /* F58 */
+    const int64_t pitch_88 = (int64_t)half_difference_2 * half_difference_2;  /* F58 */
+    const int64_t pitch_89 = pitch_87 + pitch_88;  /* F60, |x| <= 2.01 */
+    const int32_t pitch_90 = pitch_89 < INT64_C(268435456) /* 1/4294967296 */;
     /* F60, |x| <= 2.33e-10 */
-    const int32_t pitch_90 = clamp_64_to_32(pitch_88, INT64_C(0), INT64_C(268435456));
-    const int64_t pitch_91 = pitch_90 * INT64_C(1);  /* F28, |x| <= 1 */
-    const int64_t pitch_92 = pitch_91 * INT64_C(4294967296);  /* F60 */
-    const int64_t pitch_93 = (pitch_89 != 0) ? pitch_92 : pitch_88;  /* F60, |x| <= 2.01 */
+    const int32_t pitch_91 = clamp_64_to_32(pitch_89, INT64_C(0), INT64_C(268435456));
+    const int64_t pitch_92 = pitch_91 * INT64_C(1);  /* F28, |x| <= 1 */
+    const int64_t pitch_93 = pitch_92 * INT64_C(4294967296);  /* F60 */
+    const int64_t pitch_94 = (pitch_90 != 0) ? pitch_93 : pitch_89;  /* F60, |x| <= 2.01 */
     /* F31, |x| <= 0.501 */
-    const int32_t pitch_94 = (pitch_89 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;
-    const int32_t pitch_95 = pitch_93 < INT64_C(17592186044416) /* 1/65536 */;
+    const int32_t pitch_95 = (pitch_90 != 0) ? 16384 /* 1/131072 */ : 1073741824 /* 1/2 */;
+    const int32_t pitch_96 = pitch_94 < INT64_C(17592186044416) /* 1/65536 */;
     /* F60, |x| <= 1.53e-05 */
-    const int64_t pitch_96 = clamp_64(pitch_93, INT64_C(0), INT64_C(17592186044416));
-    const int64_t pitch_97 = pitch_96 * INT64_C(1);  /* F44, |x| <= 1 */
-    const int64_t pitch_98 = pitch_97 * INT64_C(65536);  /* F60 */
-    const int64_t pitch_99 = (pitch_95 != 0) ? pitch_98 : pitch_93;  /* F60, |x| <= 2.01 */
-    const int32_t pitch_100 = pitch_94 * 1;  /* F39, |x| <= 0.00196 */
-    const int32_t pitch_101 = round_short_8(pitch_100);  /* F31 */
-    const int32_t pitch_102 = (pitch_95 != 0) ? pitch_101 : pitch_94;  /* F31, |x| <= 0.501 */
-    const int32_t pitch_103 = pitch_99 < INT64_C(4503599627370496) /* 1/256 */;
+    const int64_t pitch_97 = clamp_64(pitch_94, INT64_C(0), INT64_C(17592186044416));
+    const int64_t pitch_98 = pitch_97 * INT64_C(1);  /* F44, |x| <= 1 */
+    const int64_t pitch_99 = pitch_98 * INT64_C(65536);  /* F60 */
+    const int64_t pitch_100 = (pitch_96 != 0) ? pitch_99 : pitch_94;  /* F60, |x| <= 2.01 */
+    const int32_t pitch_101 = pitch_95 * 1;  /* F39, |x| <= 0.00196 */
+    const int32_t pitch_102 = round_short_8(pitch_101);  /* F31 */
+    const int32_t pitch_103 = (pitch_96 != 0) ? pitch_102 : pitch_95;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_104 = pitch_100 < INT64_C(4503599627370496) /* 1/256 */;
     /* F60, |x| <= 0.00391 */
-    const int64_t pitch_104 = clamp_64(pitch_99, INT64_C(0), INT64_C(4503599627370496));
-    const int64_t pitch_105 = pitch_104 * INT64_C(1);  /* F52, |x| <= 1 */
-    const int64_t pitch_106 = pitch_105 * INT64_C(256);  /* F60 */
-    const int64_t pitch_107 = (pitch_103 != 0) ? pitch_106 : pitch_99;  /* F60, |x| <= 2.01 */
-    const int32_t pitch_108 = pitch_102 * 1;  /* F35, |x| <= 0.0313 */
-    const int32_t pitch_109 = round_short_4(pitch_108);  /* F31 */
-    const int32_t pitch_110 = (pitch_103 != 0) ? pitch_109 : pitch_102;  /* F31, |x| <= 0.501 */
-    const int32_t pitch_111 = pitch_107 < INT64_C(72057594037927936) /* 1/16 */;
+    const int64_t pitch_105 = clamp_64(pitch_100, INT64_C(0), INT64_C(4503599627370496));
+    const int64_t pitch_106 = pitch_105 * INT64_C(1);  /* F52, |x| <= 1 */
+    const int64_t pitch_107 = pitch_106 * INT64_C(256);  /* F60 */
+    const int64_t pitch_108 = (pitch_104 != 0) ? pitch_107 : pitch_100;  /* F60, |x| <= 2.01 */
+    const int32_t pitch_109 = pitch_103 * 1;  /* F35, |x| <= 0.0313 */
+    const int32_t pitch_110 = round_short_4(pitch_109);  /* F31 */
+    const int32_t pitch_111 = (pitch_104 != 0) ? pitch_110 : pitch_103;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_112 = pitch_108 < INT64_C(72057594037927936) /* 1/16 */;
     /* F60, |x| <= 0.0625 */
-    const int64_t pitch_112 = clamp_64(pitch_107, INT64_C(0), INT64_C(72057594037927936));
-    const int64_t pitch_113 = pitch_112 * INT64_C(1);  /* F56, |x| <= 1 */
-    const int64_t pitch_114 = pitch_113 * INT64_C(16);  /* F60 */
-    const int64_t pitch_115 = (pitch_111 != 0) ? pitch_114 : pitch_107;  /* F60, |x| <= 2.01 */
-    const int32_t pitch_116 = pitch_110 * 1;  /* F33, |x| <= 0.126 */
-    const int32_t pitch_117 = round_short_2(pitch_116);  /* F31 */
-    const int32_t pitch_118 = (pitch_111 != 0) ? pitch_117 : pitch_110;  /* F31, |x| <= 0.501 */
-    const int32_t pitch_119 = pitch_115 < INT64_C(288230376151711744) /* 1/4 */;
+    const int64_t pitch_113 = clamp_64(pitch_108, INT64_C(0), INT64_C(72057594037927936));
+    const int64_t pitch_114 = pitch_113 * INT64_C(1);  /* F56, |x| <= 1 */
+    const int64_t pitch_115 = pitch_114 * INT64_C(16);  /* F60 */
+    const int64_t pitch_116 = (pitch_112 != 0) ? pitch_115 : pitch_108;  /* F60, |x| <= 2.01 */
+    const int32_t pitch_117 = pitch_111 * 1;  /* F33, |x| <= 0.126 */
+    const int32_t pitch_118 = round_short_2(pitch_117);  /* F31 */
+    const int32_t pitch_119 = (pitch_112 != 0) ? pitch_118 : pitch_111;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_120 = pitch_116 < INT64_C(288230376151711744) /* 1/4 */;
     /* F60, |x| <= 0.25 */
-    const int64_t pitch_120 = clamp_64(pitch_115, INT64_C(0), INT64_C(288230376151711744));
-    const int64_t pitch_121 = pitch_120 * INT64_C(1);  /* F58, |x| <= 1 */
-    const int64_t pitch_122 = pitch_121 * INT64_C(4);  /* F60 */
-    const int64_t pitch_123 = (pitch_119 != 0) ? pitch_122 : pitch_115;  /* F60, |x| <= 2.01 */
-    const int32_t pitch_124 = pitch_118 * 1;  /* F32, |x| <= 0.251 */
-    const int32_t pitch_125 = round_short_1(pitch_124);  /* F31 */
-    const int32_t pitch_126 = (pitch_119 != 0) ? pitch_125 : pitch_118;  /* F31, |x| <= 0.501 */
-    const int32_t pitch_127 = round_31(pitch_123);  /* F27, |x| <= 8.02 */
-    const int32_t pitch_128 = clamp_32(pitch_127, 134217728, 536870912);  /* F27, |x| <= 4 */
+    const int64_t pitch_121 = clamp_64(pitch_116, INT64_C(0), INT64_C(288230376151711744));
+    const int64_t pitch_122 = pitch_121 * INT64_C(1);  /* F58, |x| <= 1 */
+    const int64_t pitch_123 = pitch_122 * INT64_C(4);  /* F60 */
+    const int64_t pitch_124 = (pitch_120 != 0) ? pitch_123 : pitch_116;  /* F60, |x| <= 2.01 */
+    const int32_t pitch_125 = pitch_119 * 1;  /* F32, |x| <= 0.251 */
+    const int32_t pitch_126 = round_short_1(pitch_125);  /* F31 */
+    const int32_t pitch_127 = (pitch_120 != 0) ? pitch_126 : pitch_119;  /* F31, |x| <= 0.501 */
+    const int32_t pitch_128 = round_31(pitch_124);  /* F27, |x| <= 8.02 */
     const int32_t pitch_129 = clamp_32(pitch_128, 134217728, 536870912);  /* F27, |x| <= 4 */
-    const int64_t pitch_130 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_129;  /* F65 */
+    const int32_t pitch_130 = clamp_32(pitch_129, 134217728, 536870912);  /* F27, |x| <= 4 */
+    const int32_t pitch_131 = -pitch_130;  /* F27 */
+    const int64_t pitch_132 = (int64_t)747135655 /* 47816681919/17592186044416 */ * pitch_131;  /* F65 */
     /* F65 */
-    const int64_t pitch_131 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ - pitch_130;
-    const int32_t pitch_132 = round_30(pitch_131);  /* F35, |x| <= 0.0387 */
-    const int64_t pitch_133 = (int64_t)pitch_129 * pitch_132;  /* F62 */
+    const int64_t pitch_133 = INT64_C(1527667556037427200) /* 182112164025/4398046511104 */ + pitch_132;
+    const int32_t pitch_134 = round_30(pitch_133);  /* F35, |x| <= 0.0387 */
+    const int64_t pitch_135 = (int64_t)pitch_130 * pitch_134;  /* F62 */
     /* F62 */
-    const int64_t pitch_134 = pitch_133 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;
-    const int32_t pitch_135 = round_29(pitch_134);  /* F33, |x| <= 0.226 */
-    const int64_t pitch_136 = (int64_t)pitch_129 * pitch_135;  /* F60 */
+    const int64_t pitch_136 = pitch_135 - INT64_C(1179613329067868160) /* 2249933870445/8796093022208 */;
+    const int32_t pitch_137 = round_29(pitch_136);  /* F33, |x| <= 0.226 */
+    const int64_t pitch_138 = (int64_t)pitch_130 * pitch_137;  /* F60 */
     /* F60 */
-    const int64_t pitch_137 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_136;
-    const int32_t pitch_138 = round_29(pitch_137);  /* F31, |x| <= 0.725 */
-    const int64_t pitch_139 = (int64_t)pitch_129 * pitch_138;  /* F58 */
+    const int64_t pitch_139 = INT64_C(951679935904743424) /* 1815185424623/2199023255552 */ + pitch_138;
+    const int32_t pitch_140 = round_29(pitch_139);  /* F31, |x| <= 0.725 */
+    const int64_t pitch_141 = (int64_t)pitch_130 * pitch_140;  /* F58 */
     /* F58 */
-    const int64_t pitch_140 = pitch_139 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;
-    const int32_t pitch_141 = round_28(pitch_140);  /* F30, |x| <= 1.82 */
-    const int64_t pitch_142 = (int64_t)pitch_129 * pitch_141;  /* F57 */
+    const int64_t pitch_142 = pitch_141 - INT64_C(436656008213790720) /* 13325683844415/8796093022208 */;
+    const int32_t pitch_143 = round_28(pitch_142);  /* F30, |x| <= 1.82 */
+    const int64_t pitch_144 = (int64_t)pitch_130 * pitch_143;  /* F57 */
     /* F57 */
-    const int64_t pitch_143 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_142;
-    const int32_t pitch_144 = round_29(pitch_143);  /* F28, |x| <= 7.44 */
-    const int32_t pitch_145 = clamp_32(pitch_144, 67108864, 335544320);  /* F28, |x| <= 1.25 */
-    const int64_t pitch_146 = (int64_t)pitch_145 * pitch_145;  /* F56 */
-    const int32_t pitch_147 = round_26(pitch_146);  /* F30, |x| <= 1.57 */
-    const int64_t pitch_148 = (int64_t)pitch_129 * pitch_147;  /* F57 */
-    const int64_t pitch_149 = INT64_C(144115188075855872) /* 1 */ - pitch_148;  /* F57 */
-    const int32_t pitch_150 = round_29(pitch_149);  /* F28, |x| <= 5.26 */
-    const int64_t pitch_151 = pitch_145 * INT64_C(536870912);  /* F57 */
-    const int64_t pitch_152 = (int64_t)pitch_145 * pitch_150;  /* F56 */
-    const int64_t pitch_153 = pitch_151 + pitch_152;  /* F57 */
-    const int32_t pitch_154 = round_28(pitch_153);  /* F29, |x| <= 3.04 */
-    const int32_t pitch_155 = clamp_32(pitch_154, 134217728, 671088640);  /* F29, |x| <= 1.25 */
-    const int64_t pitch_156 = (int64_t)pitch_155 * pitch_155;  /* F58 */
-    const int32_t pitch_157 = round_28(pitch_156);  /* F30, |x| <= 1.57 */
-    const int64_t pitch_158 = (int64_t)pitch_129 * pitch_157;  /* F57 */
-    const int64_t pitch_159 = INT64_C(144115188075855872) /* 1 */ - pitch_158;  /* F57 */
-    const int32_t pitch_160 = round_29(pitch_159);  /* F28, |x| <= 5.26 */
-    const int64_t pitch_161 = pitch_155 * INT64_C(536870912);  /* F58 */
-    const int64_t pitch_162 = (int64_t)pitch_155 * pitch_160;  /* F57 */
-    const int64_t pitch_163 = pitch_161 + pitch_162;  /* F58 */
-    const int32_t pitch_164 = round_29(pitch_163);  /* F29, |x| <= 3.04 */
-    const int32_t pitch_165 = clamp_32(pitch_164, 134217728, 671088640);  /* F29, |x| <= 1.25 */
-    const int64_t pitch_166 = (int64_t)pitch_128 * pitch_165;  /* F56 */
-    const int32_t pitch_167 = round_28(pitch_166);  /* F28, |x| <= 5.01 */
-    const int64_t pitch_168 = (int64_t)pitch_167 * pitch_126;  /* F59 */
-    const int32_t pitch_169 = round_30(pitch_168);  /* F29, |x| <= 2.51 */
-    const int32_t pitch_170 = pitch_85 < 0;
-    const int32_t pitch_171 = -pitch_85;  /* F29, |x| <= 2.51 */
-    const int32_t pitch_172 = (pitch_170 != 0) ? pitch_171 : pitch_85;  /* F29, |x| <= 2.51 */
-    const int32_t pitch_173 = pitch_169 < 0;
-    const int32_t pitch_174 = -pitch_169;  /* F29, |x| <= 2.51 */
-    const int32_t pitch_175 = (pitch_173 != 0) ? pitch_174 : pitch_169;  /* F29, |x| <= 2.51 */
-    const int32_t pitch_176 = pitch_175 < pitch_172;
-    const int32_t pitch_177 = (pitch_176 != 0) ? pitch_175 : pitch_172;  /* F29, |x| <= 2.51 */
-    const int32_t pitch_178 = (pitch_176 != 0) ? pitch_172 : pitch_175;  /* F29, |x| <= 2.51 */
-    const int64_t pitch_179 = (int64_t)889516847 /* 10355339/25000000 */ * pitch_178;  /* F60 */
-    const int32_t pitch_180 = round_30(pitch_179);  /* F30, |x| <= 1.04 */
-    const int64_t pitch_181 = pitch_180 * INT64_C(1);  /* F30 */
-    const int64_t pitch_182 = pitch_177 * INT64_C(2);  /* F30 */
-    const int32_t pitch_183 = pitch_181 < pitch_182;
-    const int64_t pitch_184 = (int64_t)pitch_177 - pitch_178;  /* F29 */
-    const int32_t pitch_185 = round_1(pitch_184);  /* F28, |x| <= 5.01 */
-    const int32_t pitch_186 = round_short_1(pitch_177);  /* F28 */
-    const int32_t pitch_187 = (pitch_183 != 0) ? pitch_185 : pitch_186;  /* F28, |x| <= 5.01 */
-    const int64_t pitch_188 = (int64_t)pitch_177 + pitch_178;  /* F29 */
-    const int32_t pitch_189 = round_1(pitch_188);  /* F28, |x| <= 5.01 */
-    const int32_t pitch_190 = round_short_1(pitch_178);  /* F28 */
-    const int32_t pitch_191 = (pitch_183 != 0) ? pitch_189 : pitch_190;  /* F28, |x| <= 5.01 */
-    const int32_t pitch_192 = clamp_32(pitch_191, 2, 2147483647);  /* F28, |x| <= 5.01 */
-    const int64_t pitch_193 = pitch_187 * INT64_C(4294967296);  /* F60 */
-    const int64_t pitch_194 = pitch_193 / pitch_192;  /* F32, |x| <= 6.72e+08 */
+    const int64_t pitch_145 = INT64_C(274651154808430592) /* 33526752295951/17592186044416 */ + pitch_144;
+    const int32_t pitch_146 = round_29(pitch_145);  /* F28, |x| <= 7.44 */
+    const int32_t pitch_147 = clamp_32(pitch_146, 67108864, 335544320);  /* F28, |x| <= 1.25 */
+    const int64_t pitch_148 = (int64_t)pitch_147 * pitch_147;  /* F56 */
+    const int32_t pitch_149 = round_26(pitch_148);  /* F30, |x| <= 1.57 */
+    const int64_t pitch_150 = (int64_t)pitch_131 * pitch_149;  /* F57 */
+    const int64_t pitch_151 = INT64_C(144115188075855872) /* 1 */ + pitch_150;  /* F57 */
+    const int32_t pitch_152 = round_29(pitch_151);  /* F28, |x| <= 5.26 */
+    const int64_t pitch_153 = pitch_147 * INT64_C(536870912);  /* F57 */
+    const int64_t pitch_154 = (int64_t)pitch_147 * pitch_152;  /* F56 */
+    const int64_t pitch_155 = pitch_153 + pitch_154;  /* F57 */
+    const int32_t pitch_156 = round_28(pitch_155);  /* F29, |x| <= 3.04 */
+    const int32_t pitch_157 = clamp_32(pitch_156, 134217728, 671088640);  /* F29, |x| <= 1.25 */
+    const int64_t pitch_158 = (int64_t)pitch_157 * pitch_157;  /* F58 */
+    const int32_t pitch_159 = round_28(pitch_158);  /* F30, |x| <= 1.57 */
+    const int64_t pitch_160 = (int64_t)pitch_131 * pitch_159;  /* F57 */
+    const int64_t pitch_161 = INT64_C(144115188075855872) /* 1 */ + pitch_160;  /* F57 */
+    const int32_t pitch_162 = round_29(pitch_161);  /* F28, |x| <= 5.26 */
+    const int64_t pitch_163 = pitch_157 * INT64_C(536870912);  /* F58 */
+    const int64_t pitch_164 = (int64_t)pitch_157 * pitch_162;  /* F57 */
+    const int64_t pitch_165 = pitch_163 + pitch_164;  /* F58 */
+    const int32_t pitch_166 = round_29(pitch_165);  /* F29, |x| <= 3.04 */
+    const int32_t pitch_167 = clamp_32(pitch_166, 134217728, 671088640);  /* F29, |x| <= 1.25 */
+    const int64_t pitch_168 = (int64_t)pitch_129 * pitch_167;  /* F56 */
+    const int32_t pitch_169 = round_28(pitch_168);  /* F28, |x| <= 5.01 */
+    const int64_t pitch_170 = (int64_t)pitch_169 * pitch_127;  /* F59 */
+    const int32_t pitch_171 = round_30(pitch_170);  /* F29, |x| <= 2.51 */
+    const int32_t pitch_172 = pitch_86 < 0;
+    const int32_t pitch_173 = -pitch_86;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_174 = (pitch_172 != 0) ? pitch_173 : pitch_86;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_175 = pitch_171 < 0;
+    const int32_t pitch_176 = -pitch_171;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_177 = (pitch_175 != 0) ? pitch_176 : pitch_171;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_178 = pitch_177 < pitch_174;
+    const int32_t pitch_179 = (pitch_178 != 0) ? pitch_177 : pitch_174;  /* F29, |x| <= 2.51 */
+    const int32_t pitch_180 = (pitch_178 != 0) ? pitch_174 : pitch_177;  /* F29, |x| <= 2.51 */
+    const int64_t pitch_181 = (int64_t)889516847 /* 10355339/25000000 */ * pitch_180;  /* F60 */
+    const int32_t pitch_182 = round_30(pitch_181);  /* F30, |x| <= 1.04 */
+    const int64_t pitch_183 = pitch_182 * INT64_C(1);  /* F30 */
+    const int64_t pitch_184 = pitch_179 * INT64_C(2);  /* F30 */
+    const int32_t pitch_185 = pitch_183 < pitch_184;
+    const int64_t pitch_186 = (int64_t)pitch_179 - pitch_180;  /* F29 */
+    const int32_t pitch_187 = round_1(pitch_186);  /* F28, |x| <= 5.01 */
+    const int32_t pitch_188 = round_short_1(pitch_179);  /* F28 */
+    const int32_t pitch_189 = (pitch_185 != 0) ? pitch_187 : pitch_188;  /* F28, |x| <= 5.01 */
+    const int64_t pitch_190 = (int64_t)pitch_179 + pitch_180;  /* F29 */
+    const int32_t pitch_191 = round_1(pitch_190);  /* F28, |x| <= 5.01 */
+    const int32_t pitch_192 = round_short_1(pitch_180);  /* F28 */
+    const int32_t pitch_193 = (pitch_185 != 0) ? pitch_191 : pitch_192;  /* F28, |x| <= 5.01 */
+    const int32_t pitch_194 = clamp_32(pitch_193, 2, 2147483647);  /* F28, |x| <= 5.01 */
+    const int64_t pitch_195 = pitch_189 * INT64_C(4294967296);  /* F60 */
+    const int64_t pitch_196 = pitch_195 / pitch_194;  /* F32, |x| <= 6.72e+08 */
     /* F32, |x| <= 0.415 */
-    const int32_t pitch_195 = clamp_64_to_32(pitch_194, INT64_C(-1779404950), INT64_C(1779404950));
-    const int64_t pitch_196 = (int64_t)pitch_195 * pitch_195;  /* F64 */
-    const int32_t pitch_197 = round_31(pitch_196);  /* F33, |x| <= 0.172 */
-    const int64_t pitch_198 = (int64_t)510875761 /* 382/6423 */ * pitch_197;  /* F66 */
-    const int64_t pitch_199 = INT64_C(7773993415904670242) /* 1650/15661 */ - pitch_198;  /* F66 */
-    const int32_t pitch_200 = round_34(pitch_199);  /* F32, |x| <= 0.106 */
-    const int64_t pitch_201 = (int64_t)pitch_197 * pitch_200;  /* F65 */
-    const int64_t pitch_202 = pitch_201 - INT64_C(5251586747234353517) /* 7339/51558 */;  /* F65 */
-    const int32_t pitch_203 = round_33(pitch_202);  /* F32, |x| <= 0.143 */
-    const int64_t pitch_204 = (int64_t)pitch_197 * pitch_203;  /* F65 */
-    const int64_t pitch_205 = INT64_C(7377920055805538292) /* 58828/294171 */ + pitch_204;  /* F65 */
-    const int32_t pitch_206 = round_34(pitch_205);  /* F31, |x| <= 0.2 */
-    const int64_t pitch_207 = (int64_t)pitch_197 * pitch_206;  /* F64 */
-    const int64_t pitch_208 = pitch_207 - INT64_C(6148909082171862706) /* 365415/1096246 */;  /* F64 */
-    const int32_t pitch_209 = round_32(pitch_208);  /* F32, |x| <= 0.334 */
-    const int64_t pitch_210 = (int64_t)pitch_197 * pitch_209;  /* F65 */
-    const int32_t pitch_211 = round_30(pitch_210);  /* F35, |x| <= 0.0573 */
-    const int64_t pitch_212 = (int64_t)pitch_195 * pitch_211;  /* F67 */
-    const int32_t pitch_213 = round_35(pitch_212);  /* F32, |x| <= 0.0238 */
-    const int32_t pitch_214 = pitch_195 + pitch_213;  /* F32, |x| <= 0.439 */
-    const int64_t pitch_215 = INT64_C(3373259426) + pitch_214;  /* F32 */
-    const int32_t pitch_216 = round_2(pitch_215);  /* F30, |x| <= 1.23 */
-    const int32_t pitch_217 = round_short_2(pitch_214);  /* F30 */
-    const int32_t pitch_218 = (pitch_183 != 0) ? pitch_216 : pitch_217;  /* F30, |x| <= 1.23 */
-    const int64_t pitch_219 = INT64_C(1686629713) - pitch_218;  /* F30 */
-    const int32_t pitch_220 = round_1(pitch_219);  /* F29, |x| <= 2.01 */
-    const int32_t pitch_221 = round_short_1(pitch_218);  /* F29 */
-    const int32_t pitch_222 = (pitch_176 != 0) ? pitch_220 : pitch_221;  /* F29, |x| <= 2.01 */
-    const int64_t pitch_223 = INT64_C(1686629713) - pitch_222;  /* F29 */
-    const int32_t pitch_224 = (int32_t)pitch_223;  /* F29, |x| <= 3.58 */
-    const int32_t pitch_225 = (pitch_173 != 0) ? pitch_224 : pitch_222;  /* F29, |x| <= 3.58 */
-    const int32_t pitch_226 = -pitch_225;  /* F29, |x| <= 3.58 */
-    const int32_t pitch_227 = (pitch_170 != 0) ? pitch_226 : pitch_225;  /* F29, |x| <= 3.58 */
-    const int64_t pitch_228 = pitch_227 - INT64_C(421657428);  /* F28 */
-    const int32_t pitch_229 = round_1(pitch_228);  /* F27, |x| <= 8.73 */
-    const int32_t pitch = clamp_32(pitch_229, -210829207, 210829207);  /* F27, |x| <= 1.58 */
+    const int32_t pitch_197 = clamp_64_to_32(pitch_196, INT64_C(-1779404950), INT64_C(1779404950));
+    const int64_t pitch_198 = (int64_t)pitch_197 * pitch_197;  /* F64 */
+    const int32_t pitch_199 = round_31(pitch_198);  /* F33, |x| <= 0.172 */
+    const int64_t pitch_200 = (int64_t)510875761 /* 382/6423 */ * pitch_199;  /* F66 */
+    const int64_t pitch_201 = INT64_C(7773993415904670242) /* 1650/15661 */ - pitch_200;  /* F66 */
+    const int32_t pitch_202 = round_34(pitch_201);  /* F32, |x| <= 0.106 */
+    const int64_t pitch_203 = (int64_t)pitch_199 * pitch_202;  /* F65 */
+    const int64_t pitch_204 = pitch_203 - INT64_C(5251586747234353517) /* 7339/51558 */;  /* F65 */
+    const int32_t pitch_205 = round_33(pitch_204);  /* F32, |x| <= 0.143 */
+    const int64_t pitch_206 = (int64_t)pitch_199 * pitch_205;  /* F65 */
+    const int64_t pitch_207 = INT64_C(7377920055805538292) /* 58828/294171 */ + pitch_206;  /* F65 */
+    const int32_t pitch_208 = round_34(pitch_207);  /* F31, |x| <= 0.2 */
+    const int64_t pitch_209 = (int64_t)pitch_199 * pitch_208;  /* F64 */
+    const int64_t pitch_210 = pitch_209 - INT64_C(6148909082171862706) /* 365415/1096246 */;  /* F64 */
+    const int32_t pitch_211 = round_32(pitch_210);  /* F32, |x| <= 0.334 */
+    const int64_t pitch_212 = (int64_t)pitch_199 * pitch_211;  /* F65 */
+    const int32_t pitch_213 = round_30(pitch_212);  /* F35, |x| <= 0.0573 */
+    const int64_t pitch_214 = (int64_t)pitch_197 * pitch_213;  /* F67 */
+    const int32_t pitch_215 = round_35(pitch_214);  /* F32, |x| <= 0.0238 */
+    const int32_t pitch_216 = pitch_197 + pitch_215;  /* F32, |x| <= 0.439 */
+    const int64_t pitch_217 = INT64_C(3373259426) + pitch_216;  /* F32 */
+    const int32_t pitch_218 = round_2(pitch_217);  /* F30, |x| <= 1.23 */
+    const int32_t pitch_219 = round_short_2(pitch_216);  /* F30 */
+    const int32_t pitch_220 = (pitch_185 != 0) ? pitch_218 : pitch_219;  /* F30, |x| <= 1.23 */
+    const int64_t pitch_221 = INT64_C(1686629713) - pitch_220;  /* F30 */
+    const int32_t pitch_222 = round_1(pitch_221);  /* F29, |x| <= 2.01 */
+    const int32_t pitch_223 = round_short_1(pitch_220);  /* F29 */
+    const int32_t pitch_224 = (pitch_178 != 0) ? pitch_222 : pitch_223;  /* F29, |x| <= 2.01 */
+    const int64_t pitch_225 = INT64_C(1686629713) - pitch_224;  /* F29 */
+    const int32_t pitch_226 = (int32_t)pitch_225;  /* F29, |x| <= 3.58 */
+    const int32_t pitch_227 = (pitch_175 != 0) ? pitch_226 : pitch_224;  /* F29, |x| <= 3.58 */
+    const int32_t pitch_228 = -pitch_227;  /* F29, |x| <= 3.58 */
+    const int32_t pitch_229 = (pitch_172 != 0) ? pitch_228 : pitch_227;  /* F29, |x| <= 3.58 */
+    const int64_t pitch_230 = pitch_229 - INT64_C(421657428);  /* F28 */
+    const int32_t pitch_231 = round_1(pitch_230);  /* F27, |x| <= 8.73 */
+    const int32_t pitch = clamp_32(pitch_231, -210829207, 210829207);  /* F27, |x| <= 1.58 */
 
     /* roll = half_sum - half_difference, in [-pi, pi] */
     const int64_t roll_1 = (int64_t)half_sum - half_difference;  /* F29 */

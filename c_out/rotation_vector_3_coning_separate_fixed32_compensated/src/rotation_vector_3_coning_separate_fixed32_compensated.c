@@ -14,21 +14,21 @@
  * flags:       -std=c99; no other flag matters
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.033336 rad; |phi|
- *              <= 0.1021 rad; | |q| - 1 | <= 0.0156 for 26402897 updates after it was set or
+ *              <= 0.1021 rad; | |q| - 1 | <= 0.0156 for 25841559 updates after it was set or
  *              renormalised, proved; within it no sum overflows, as is proved; beyond it nothing
  *              is promised: clamp inputs that can be so large
  * truncation:  minimax polynomials of degree 3 (cos) and 2 (sin) in |phi|^2; error of r at most
  *              2.5e-15 (scalar), 5.5e-15 (vector), proved over the rationals
- * rounding:    one update is within 5.5e-10 of exact arithmetic, in the norm of the components,
- *              what is carried included, which does not add up; it adds at most 5.5e-10 to the
+ * rounding:    one update is within 5.7e-10 of exact arithmetic, in the norm of the components,
+ *              what is carried included, which does not add up; it adds at most 5.7e-10 to the
  *              length; proved
- * high words:  5 of 15 rounded sums of products drop a whole word, 2 before formats were searched
- *              for that; of one update's errors in the first order it made 3.1e-10 of 3.1e-10
+ * high words:  9 of 15 rounded sums of products drop a whole word, 2 before formats were searched
+ *              for that; of one update's errors in the first order it made 3.4e-10 of 3.1e-10
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       39       0   33        12       0       0     0     0     0       0      0
  * update shared           36       3   33        12       0       0     0     0     0       0      0
- * update emitted          36       0   33        21       0       0     0     0     0       0     32
+ * update emitted          36       0   39        15       3       0     0     0     0       0     32
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -67,10 +67,10 @@ static inline int32_t left_of_short_5(int32_t whole, int32_t rounded)
     return wrapped_32(left);
 }
 
-/* whole - 2^10 rounded; the result fits 32 bits. */
-static inline int32_t left_of_short_10(int32_t whole, int32_t rounded)
+/* whole - 2^8 rounded; the result fits 32 bits. */
+static inline int32_t left_of_short_8(int32_t whole, int32_t rounded)
 {
-    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 10);
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 8);
     return wrapped_32(left);
 }
 
@@ -88,10 +88,10 @@ static inline int32_t round_25(int64_t x)
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
-/* x / 2^30, rounded to nearest, halves up; the result fits 32 bits. */
-static inline int32_t round_30(int64_t x)
+/* x / 2^29, rounded to nearest, halves up; the result fits 32 bits. */
+static inline int32_t round_29(int64_t x)
 {
-    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(536870912)) >> 30);
+    const uint32_t image = (uint32_t)(((uint64_t)x + UINT64_C(268435456)) >> 29);
     return (image <= 0x7FFFFFFFU) ? (int32_t)image : (-(int32_t)(~image) - 1);
 }
 
@@ -133,10 +133,10 @@ static inline int32_t round_short_5(int32_t x)
     return shift_right_32(x + 16, 5);
 }
 
-/* x / 2^10, rounded to nearest, halves up. */
-static inline int32_t round_short_10(int32_t x)
+/* x / 2^8, rounded to nearest, halves up. */
+static inline int32_t round_short_8(int32_t x)
 {
-    return shift_right_32(x + 512, 10);
+    return shift_right_32(x + 128, 8);
 }
 
 /* x / 2^3, rounded to nearest, halves up. */
@@ -183,13 +183,13 @@ void rotation_vector_3_coning_separate_fixed32_compensated_set_quaternion(
 
     /* e = (1 - |q|^2)/2 */
     const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
-    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
-    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
-    const int64_t e_4 = e_2 - e_3;  /* F61 */
-    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
-    const int64_t e_6 = e_4 - e_5;  /* F61 */
-    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
-    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int64_t e_2 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_3 = e_1 + e_2;  /* F61 */
+    const int64_t e_4 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_5 = e_3 + e_4;  /* F61 */
+    const int64_t e_6 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_7 = e_5 + e_6;  /* F61 */
+    const int64_t e_8 = INT64_C(1152921504606846976) /* 1/2 */ - e_7;  /* F61 */
     const int32_t e = round_21(e_8);  /* F40, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -227,14 +227,6 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     rotation_vector_3_coning_separate_fixed32_compensated_state *state, const int32_t dtheta[9])
 {
     /* attitude and input */
-    const int64_t q_w_whole = state->q[0];  /* F62, |x| <= 1.02 */
-    const int32_t q_w = round_32(q_w_whole);  /* F30, |x| <= 1.02 */
-    const int64_t q_x_whole = state->q[1];  /* F62, |x| <= 1.02 */
-    const int32_t q_x = round_32(q_x_whole);  /* F30, |x| <= 1.02 */
-    const int64_t q_y_whole = state->q[2];  /* F62, |x| <= 1.02 */
-    const int32_t q_y = round_32(q_y_whole);  /* F30, |x| <= 1.02 */
-    const int64_t q_z_whole = state->q[3];  /* F62, |x| <= 1.02 */
-    const int32_t q_z = round_32(q_z_whole);  /* F30, |x| <= 1.02 */
     const int32_t dtheta1_x = dtheta[0];  /* F34, |x| <= 0.0334 */
     const int32_t dtheta1_y = dtheta[1];  /* F34, |x| <= 0.0334 */
     const int32_t dtheta1_z = dtheta[2];  /* F34, |x| <= 0.0334 */
@@ -268,49 +260,52 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
 
     /* k = 9/40 d   [cao (12)] */
     const int64_t k_x_1 = (int64_t)1932735283 /* 9/40 */ * d_x;  /* F67 */
-    const int32_t k_x = round_30(k_x_1);  /* F37, |x| <= 0.0151 */
+    const int32_t k_x = round_32(k_x_1);  /* F35, |x| <= 0.0151 */
     const int64_t k_y_1 = (int64_t)1932735283 /* 9/40 */ * d_y;  /* F67 */
-    const int32_t k_y = round_30(k_y_1);  /* F37, |x| <= 0.0151 */
+    const int32_t k_y = round_32(k_y_1);  /* F35, |x| <= 0.0151 */
     const int64_t k_z_1 = (int64_t)1932735283 /* 9/40 */ * d_z;  /* F67 */
-    const int32_t k_z = round_30(k_z_1);  /* F37, |x| <= 0.0151 */
+    const int32_t k_z = round_32(k_z_1);  /* F35, |x| <= 0.0151 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_x_1 = (int64_t)g_y * k_z;  /* F70 */
-    const int64_t coning_x_2 = (int64_t)g_z * k_y;  /* F70 */
-    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F70 */
-    const int32_t coning_x = round_31(coning_x_3);  /* F39, |x| <= 0.00251 */
+    const int64_t coning_x_1 = (int64_t)g_y * k_z;  /* F68 */
+    const int64_t coning_x_2 = (int64_t)g_z * k_y;  /* F68 */
+    const int64_t coning_x_3 = coning_x_1 - coning_x_2;  /* F68 */
+    const int32_t coning_x = round_29(coning_x_3);  /* F39, |x| <= 0.00251 */
 
     /* phi, the rounding of the last update added, that of this one kept */
     const int32_t phi_x_fine_carried = state->residual[0];  /* F39 */
     const int32_t phi_x_fine_whole = coning_x + phi_x_fine_carried;  /* F39 */
     const int32_t phi_x_fine = round_short_5(phi_x_fine_whole);  /* F34 */
     const int32_t phi_x_fine_left = left_of_short_5(phi_x_fine_whole, phi_x_fine);  /* F39 */
+    state->residual[0] = phi_x_fine_left;
     const int32_t phi_x = phi_x_fine + S_x;  /* F34, |x| <= 0.103 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F70 */
-    const int64_t coning_y_2 = (int64_t)g_x * k_z;  /* F70 */
-    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F70 */
-    const int32_t coning_y = round_31(coning_y_3);  /* F39, |x| <= 0.00251 */
+    const int64_t coning_y_1 = (int64_t)g_z * k_x;  /* F68 */
+    const int64_t coning_y_2 = (int64_t)g_x * k_z;  /* F68 */
+    const int64_t coning_y_3 = coning_y_1 - coning_y_2;  /* F68 */
+    const int32_t coning_y = round_29(coning_y_3);  /* F39, |x| <= 0.00251 */
 
     /* phi, the rounding of the last update added, that of this one kept */
     const int32_t phi_y_fine_carried = state->residual[1];  /* F39 */
     const int32_t phi_y_fine_whole = coning_y + phi_y_fine_carried;  /* F39 */
     const int32_t phi_y_fine = round_short_5(phi_y_fine_whole);  /* F34 */
     const int32_t phi_y_fine_left = left_of_short_5(phi_y_fine_whole, phi_y_fine);  /* F39 */
+    state->residual[1] = phi_y_fine_left;
     const int32_t phi_y = phi_y_fine + S_y;  /* F34, |x| <= 0.103 */
 
     /* coning = g x k   [cao (12)] */
-    const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F70 */
-    const int64_t coning_z_2 = (int64_t)g_y * k_x;  /* F70 */
-    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F70 */
-    const int32_t coning_z = round_31(coning_z_3);  /* F39, |x| <= 0.00251 */
+    const int64_t coning_z_1 = (int64_t)g_x * k_y;  /* F68 */
+    const int64_t coning_z_2 = (int64_t)g_y * k_x;  /* F68 */
+    const int64_t coning_z_3 = coning_z_1 - coning_z_2;  /* F68 */
+    const int32_t coning_z = round_29(coning_z_3);  /* F39, |x| <= 0.00251 */
 
     /* phi, the rounding of the last update added, that of this one kept */
     const int32_t phi_z_fine_carried = state->residual[2];  /* F39 */
     const int32_t phi_z_fine_whole = coning_z + phi_z_fine_carried;  /* F39 */
     const int32_t phi_z_fine = round_short_5(phi_z_fine_whole);  /* F34 */
     const int32_t phi_z_fine_left = left_of_short_5(phi_z_fine_whole, phi_z_fine);  /* F39 */
+    state->residual[2] = phi_z_fine_left;
     const int32_t phi_z = phi_z_fine + S_z;  /* F34, |x| <= 0.103 */
 
     /* phi_square = |phi|^2 */
@@ -336,49 +331,67 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     const int64_t y_2 = y_1 - INT64_C(6148914665395606125) /* 4957348/237952705 */;  /* F68 */
     const int32_t y_3 = round_32(y_2);  /* F36, |x| <= 0.0209 */
     const int64_t y_4 = (int64_t)phi_square * y_3;  /* F73 */
-    const int32_t y = round_30(y_4);  /* F43, |x| <= 0.000218 */
+    const int32_t y = round_32(y_4);  /* F41, |x| <= 0.000218 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F77 */
-    const int32_t bent_x = round_32(bent_x_1);  /* F45, |x| <= 2.23e-05 */
+    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F75 */
+    const int32_t bent_x = round_32(bent_x_1);  /* F43, |x| <= 2.23e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int32_t v_x_fine_carried = state->residual[3];  /* F45 */
-    const int32_t v_x_fine_whole = bent_x + v_x_fine_carried;  /* F45 */
-    const int32_t v_x_fine = round_short_10(v_x_fine_whole);  /* F35 */
-    const int32_t v_x_fine_left = left_of_short_10(v_x_fine_whole, v_x_fine);  /* F45 */
+    const int32_t v_x_fine_carried = state->residual[3];  /* F43 */
+    const int32_t v_x_fine_whole = bent_x + v_x_fine_carried;  /* F43 */
+    const int32_t v_x_fine = round_short_8(v_x_fine_whole);  /* F35 */
+    const int32_t v_x_fine_left = left_of_short_8(v_x_fine_whole, v_x_fine);  /* F43 */
+    state->residual[3] = v_x_fine_left;
     const int32_t v_x = v_x_fine + phi_x;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F77 */
-    const int32_t bent_y = round_32(bent_y_1);  /* F45, |x| <= 2.23e-05 */
+    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F75 */
+    const int32_t bent_y = round_32(bent_y_1);  /* F43, |x| <= 2.23e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int32_t v_y_fine_carried = state->residual[4];  /* F45 */
-    const int32_t v_y_fine_whole = bent_y + v_y_fine_carried;  /* F45 */
-    const int32_t v_y_fine = round_short_10(v_y_fine_whole);  /* F35 */
-    const int32_t v_y_fine_left = left_of_short_10(v_y_fine_whole, v_y_fine);  /* F45 */
+    const int32_t v_y_fine_carried = state->residual[4];  /* F43 */
+    const int32_t v_y_fine_whole = bent_y + v_y_fine_carried;  /* F43 */
+    const int32_t v_y_fine = round_short_8(v_y_fine_whole);  /* F35 */
+    const int32_t v_y_fine_left = left_of_short_8(v_y_fine_whole, v_y_fine);  /* F43 */
+    state->residual[4] = v_y_fine_left;
     const int32_t v_y = v_y_fine + phi_y;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F77 */
-    const int32_t bent_z = round_32(bent_z_1);  /* F45, |x| <= 2.23e-05 */
+    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F75 */
+    const int32_t bent_z = round_32(bent_z_1);  /* F43, |x| <= 2.23e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int32_t v_z_fine_carried = state->residual[5];  /* F45 */
-    const int32_t v_z_fine_whole = bent_z + v_z_fine_carried;  /* F45 */
-    const int32_t v_z_fine = round_short_10(v_z_fine_whole);  /* F35 */
-    const int32_t v_z_fine_left = left_of_short_10(v_z_fine_whole, v_z_fine);  /* F45 */
+    const int32_t v_z_fine_carried = state->residual[5];  /* F43 */
+    const int32_t v_z_fine_whole = bent_z + v_z_fine_carried;  /* F43 */
+    const int32_t v_z_fine = round_short_8(v_z_fine_whole);  /* F35 */
+    const int32_t v_z_fine_left = left_of_short_8(v_z_fine_whole, v_z_fine);  /* F43 */
+    state->residual[5] = v_z_fine_left;
     const int32_t v_z = v_z_fine + phi_z;  /* F35, |x| <= 0.0512 */
 
     /* dq = q (x) [u, v]   [cao (14)] */
+    const int32_t v_x_negated = -v_x;  /* F35 */
+    const int32_t v_y_negated = -v_y;  /* F35 */
+    const int32_t v_z_negated = -v_z;  /* F35 */
+
+    /* attitude and input */
+    const int64_t q_w_whole = state->q[0];  /* F62, |x| <= 1.02 */
+    const int32_t q_w = round_32(q_w_whole);  /* F30, |x| <= 1.02 */
+    const int64_t q_x_whole = state->q[1];  /* F62, |x| <= 1.02 */
+    const int32_t q_x = round_32(q_x_whole);  /* F30, |x| <= 1.02 */
+    const int64_t q_y_whole = state->q[2];  /* F62, |x| <= 1.02 */
+    const int32_t q_y = round_32(q_y_whole);  /* F30, |x| <= 1.02 */
+    const int64_t q_z_whole = state->q[3];  /* F62, |x| <= 1.02 */
+    const int32_t q_z = round_32(q_z_whole);  /* F30, |x| <= 1.02 */
+
+    /* dq = q (x) [u, v]   [cao (14)] */
     const int64_t dq_w_1 = (int64_t)q_w * u;  /* F65 */
-    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
-    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F65 */
-    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F65 */
-    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F65 */
-    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F65 */
-    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F65 */
+    const int64_t dq_w_2 = (int64_t)q_x * v_x_negated;  /* F65 */
+    const int64_t dq_w_3 = dq_w_1 + dq_w_2;  /* F65 */
+    const int64_t dq_w_4 = (int64_t)q_y * v_y_negated;  /* F65 */
+    const int64_t dq_w_5 = dq_w_3 + dq_w_4;  /* F65 */
+    const int64_t dq_w_6 = (int64_t)q_z * v_z_negated;  /* F65 */
+    const int64_t dq_w_7 = dq_w_5 + dq_w_6;  /* F65 */
     const int64_t dq_w = round_wide_3(dq_w_7);  /* F62, |x| <= 0.052 */
 
     /* q_next = q + dq */
@@ -390,8 +403,8 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F65 */
     const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F65 */
     const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F65 */
-    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F65 */
-    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F65 */
+    const int64_t dq_x_6 = (int64_t)q_z * v_y_negated;  /* F65 */
+    const int64_t dq_x_7 = dq_x_5 + dq_x_6;  /* F65 */
     const int64_t dq_x = round_wide_3(dq_x_7);  /* F62, |x| <= 0.052 */
 
     /* q_next = q + dq */
@@ -403,8 +416,8 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F65 */
     const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F65 */
     const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F65 */
-    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F65 */
-    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F65 */
+    const int64_t dq_y_6 = (int64_t)q_x * v_z_negated;  /* F65 */
+    const int64_t dq_y_7 = dq_y_5 + dq_y_6;  /* F65 */
     const int64_t dq_y = round_wide_3(dq_y_7);  /* F62, |x| <= 0.052 */
 
     /* q_next = q + dq */
@@ -416,8 +429,8 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F65 */
     const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F65 */
     const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F65 */
-    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F65 */
-    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F65 */
+    const int64_t dq_z_6 = (int64_t)q_y * v_x_negated;  /* F65 */
+    const int64_t dq_z_7 = dq_z_5 + dq_z_6;  /* F65 */
     const int64_t dq_z = round_wide_3(dq_z_7);  /* F62, |x| <= 0.052 */
 
     /* q_next = q + dq */
@@ -428,14 +441,6 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
     state->q[1] = q_next_x;
     state->q[2] = q_next_y;
     state->q[3] = q_next_z;
-
-    /* carry the roundings to the next update */
-    state->residual[0] = phi_x_fine_left;
-    state->residual[1] = phi_y_fine_left;
-    state->residual[2] = phi_z_fine_left;
-    state->residual[3] = v_x_fine_left;
-    state->residual[4] = v_y_fine_left;
-    state->residual[5] = v_z_fine_left;
 }
 
 void rotation_vector_3_coning_separate_fixed32_compensated_renormalise(
@@ -453,13 +458,13 @@ void rotation_vector_3_coning_separate_fixed32_compensated_renormalise(
 
     /* e = (1 - |q|^2)/2 */
     const int64_t e_1 = (int64_t)q_w * q_w;  /* F60 */
-    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
-    const int64_t e_3 = (int64_t)q_x * q_x;  /* F60 */
-    const int64_t e_4 = e_2 - e_3;  /* F61 */
-    const int64_t e_5 = (int64_t)q_y * q_y;  /* F60 */
-    const int64_t e_6 = e_4 - e_5;  /* F61 */
-    const int64_t e_7 = (int64_t)q_z * q_z;  /* F60 */
-    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int64_t e_2 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t e_3 = e_1 + e_2;  /* F61 */
+    const int64_t e_4 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t e_5 = e_3 + e_4;  /* F61 */
+    const int64_t e_6 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t e_7 = e_5 + e_6;  /* F61 */
+    const int64_t e_8 = INT64_C(1152921504606846976) /* 1/2 */ - e_7;  /* F61 */
     const int32_t e = round_25(e_8);  /* F36, |x| <= 0.0158 */
 
     /* q_next = q + e q */

@@ -14,21 +14,21 @@
  * flags:       -std=c99; no other flag matters
  *
  * range:       |omega| <= 573 deg/s (10.001 rad/s), 100 updates/s; |dtheta| <= 0.033336 rad; |phi|
- *              <= 0.1021 rad; | |q| - 1 | <= 0.0156 for 26402897 updates after it was set or
+ *              <= 0.1021 rad; | |q| - 1 | <= 0.0156 for 25841559 updates after it was set or
  *              renormalised, proved; within it no sum overflows, as is proved; beyond it nothing
  *              is promised: clamp inputs that can be so large
  * truncation:  minimax polynomials of degree 3 (cos) and 2 (sin) in |phi|^2; error of r at most
  *              2.5e-15 (scalar), 5.5e-15 (vector), proved over the rationals
- * rounding:    one update is within 5.5e-10 of exact arithmetic, in the norm of the components,
- *              what is carried included, which does not add up; it adds at most 5.5e-10 to the
+ * rounding:    one update is within 5.7e-10 of exact arithmetic, in the norm of the components,
+ *              what is carried included, which does not add up; it adds at most 5.7e-10 to the
  *              length; proved
- * high words:  5 of 15 rounded sums of products drop a whole word, 2 before formats were searched
- *              for that; of one update's errors in the first order it made 3.1e-10 of 3.1e-10
+ * high words:  9 of 15 rounded sums of products drop a whole word, 2 before formats were searched
+ *              for that; of one update's errors in the first order it made 3.4e-10 of 3.1e-10
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       39       0   33        12       0       0     0     0     0       0      0
  * update shared           36       3   33        12       0       0     0     0     0       0      0
- * update emitted          36       0   33        21       0       0     0     0     0       0     32
+ * update emitted          36       0   39        15       3       0     0     0     0       0     32
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -95,8 +95,8 @@ void rotation_vector_3_coning_separate_fixed32_compensated_set_quaternion(
  *   nothing is promised: clamp inputs that can be so large.
  * Truncation: minimax polynomials of degree 3 (cos) and 2 (sin) in |phi|^2; error of r at most
  *   2.5e-15 (scalar), 5.5e-15 (vector), proved over the rationals.
- * Rounding: one update is within 5.5e-10 of exact arithmetic, in the norm of the components, what
- *   is carried included, which does not add up; it adds at most 5.5e-10 to the length; proved.
+ * Rounding: one update is within 5.7e-10 of exact arithmetic, in the norm of the components, what
+ *   is carried included, which does not add up; it adds at most 5.7e-10 to the length; proved.
  * Arguments must not overlap the state. A reader that interrupts an update may see a torn state.
  */
 void rotation_vector_3_coning_separate_fixed32_compensated_update(
@@ -107,7 +107,7 @@ void rotation_vector_3_coning_separate_fixed32_compensated_update(
  *
  * To be called by the user now and then: a length 1 + e, |e| <= 1/2, becomes 1 within 3/2 e^2 +
  *   1/2 |e|^3.
- * To be called at least once in 26402897 updates (renormalise_every), proved.
+ * To be called at least once in 25841559 updates (renormalise_every), proved.
  */
 void rotation_vector_3_coning_separate_fixed32_compensated_renormalise(
     rotation_vector_3_coning_separate_fixed32_compensated_state *state);

@@ -19,13 +19,13 @@
  *              2.5e-15 (scalar), 6.1e-15 (vector), proved over the rationals
  * rounding:    one update is within 4.3e-09 of exact arithmetic, in the norm of the components,
  *              what is carried included, which does not add up; proved
- * high words:  6 of 22 rounded sums of products drop a whole word, 2 before formats were searched
+ * high words:  7 of 22 rounded sums of products drop a whole word, 2 before formats were searched
  *              for that; of one update's errors in the first order it made 4.1e-10 of 4.1e-10
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       59       0   43        19       0       0     0     0     0       0      0
  * update shared           55       4   43        19       0       0     0     0     0       0      0
- * update emitted          55       0   40        34       0       0     0     0     0       0     49
+ * update emitted          55       0   49        25       3       0     0     0     0       0     49
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.
@@ -64,10 +64,10 @@ static inline int32_t left_of_6(int64_t whole, int32_t rounded)
     return wrapped_32(left);
 }
 
-/* whole - 2^10 rounded; the result fits 32 bits. */
-static inline int32_t left_of_short_10(int32_t whole, int32_t rounded)
+/* whole - 2^8 rounded; the result fits 32 bits. */
+static inline int32_t left_of_short_8(int32_t whole, int32_t rounded)
 {
-    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 10);
+    const uint32_t left = (uint32_t)whole - ((uint32_t)rounded << 8);
     return wrapped_32(left);
 }
 
@@ -119,10 +119,10 @@ static inline int32_t round_43(int64_t x)
     return (int32_t)shift_right_64(x + INT64_C(4398046511104), 43);
 }
 
-/* x / 2^10, rounded to nearest, halves up. */
-static inline int32_t round_short_10(int32_t x)
+/* x / 2^8, rounded to nearest, halves up. */
+static inline int32_t round_short_8(int32_t x)
 {
-    return shift_right_32(x + 512, 10);
+    return shift_right_32(x + 128, 8);
 }
 
 /* x / 2^3, rounded to nearest, halves up. */
@@ -163,13 +163,13 @@ void rotation_vector_4_expanded_fixed32_compensated_set_quaternion(
 
     /* e = (1 - |q|^2)/2 */
     const int64_t e_1 = (int64_t)q_nb_w * q_nb_w;  /* F60 */
-    const int64_t e_2 = INT64_C(1152921504606846976) /* 1/2 */ - e_1;  /* F61 */
-    const int64_t e_3 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
-    const int64_t e_4 = e_2 - e_3;  /* F61 */
-    const int64_t e_5 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
-    const int64_t e_6 = e_4 - e_5;  /* F61 */
-    const int64_t e_7 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
-    const int64_t e_8 = e_6 - e_7;  /* F61 */
+    const int64_t e_2 = (int64_t)q_nb_x * q_nb_x;  /* F60 */
+    const int64_t e_3 = e_1 + e_2;  /* F61 */
+    const int64_t e_4 = (int64_t)q_nb_y * q_nb_y;  /* F60 */
+    const int64_t e_5 = e_3 + e_4;  /* F61 */
+    const int64_t e_6 = (int64_t)q_nb_z * q_nb_z;  /* F60 */
+    const int64_t e_7 = e_5 + e_6;  /* F61 */
+    const int64_t e_8 = INT64_C(1152921504606846976) /* 1/2 */ - e_7;  /* F61 */
     const int32_t e = round_21(e_8);  /* F40, |x| <= 0.000978 */
 
     /* q_next = q + e q */
@@ -207,14 +207,6 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     rotation_vector_4_expanded_fixed32_compensated_state *state, const int32_t dtheta[12])
 {
     /* attitude and input */
-    const int64_t q_w_whole = state->q[0];  /* F62, |x| <= 1.01 */
-    const int32_t q_w = round_32(q_w_whole);  /* F30, |x| <= 1.01 */
-    const int64_t q_x_whole = state->q[1];  /* F62, |x| <= 1.01 */
-    const int32_t q_x = round_32(q_x_whole);  /* F30, |x| <= 1.01 */
-    const int64_t q_y_whole = state->q[2];  /* F62, |x| <= 1.01 */
-    const int32_t q_y = round_32(q_y_whole);  /* F30, |x| <= 1.01 */
-    const int64_t q_z_whole = state->q[3];  /* F62, |x| <= 1.01 */
-    const int32_t q_z = round_32(q_z_whole);  /* F30, |x| <= 1.01 */
     const int32_t dtheta1_x = dtheta[0];  /* F35, |x| <= 0.0251 */
     const int32_t dtheta1_y = dtheta[1];  /* F35, |x| <= 0.0251 */
     const int32_t dtheta1_z = dtheta[2];  /* F35, |x| <= 0.0251 */
@@ -302,6 +294,7 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     const int64_t phi_x_whole = phi_x_whole_6 + phi_x_carried;  /* F40 */
     const int32_t phi_x = round_6(phi_x_whole);  /* F34, |x| <= 0.103 */
     const int32_t phi_x_left = left_of_6(phi_x_whole, phi_x);  /* F40 */
+    state->residual[0] = phi_x_left;
 
     /* coning2 = g2 x d2   [song2013 expanded coning, derived here] */
     const int64_t coning2_y_1 = (int64_t)g2_z * d2_x;  /* F71 */
@@ -326,6 +319,7 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     const int64_t phi_y_whole = phi_y_whole_6 + phi_y_carried;  /* F40 */
     const int32_t phi_y = round_6(phi_y_whole);  /* F34, |x| <= 0.103 */
     const int32_t phi_y_left = left_of_6(phi_y_whole, phi_y);  /* F40 */
+    state->residual[1] = phi_y_left;
 
     /* coning2 = g2 x d2   [song2013 expanded coning, derived here] */
     const int64_t coning2_z_1 = (int64_t)g2_x * d2_y;  /* F71 */
@@ -350,6 +344,7 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     const int64_t phi_z_whole = phi_z_whole_6 + phi_z_carried;  /* F40 */
     const int32_t phi_z = round_6(phi_z_whole);  /* F34, |x| <= 0.103 */
     const int32_t phi_z_left = left_of_6(phi_z_whole, phi_z);  /* F40 */
+    state->residual[2] = phi_z_left;
 
     /* phi_square = |phi|^2 */
     const int64_t phi_square_1 = (int64_t)phi_x * phi_x;  /* F68 */
@@ -372,39 +367,42 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     const int64_t y_2 = y_1 - INT64_C(6148914665295911608) /* 4938296/237038209 */;  /* F68 */
     const int32_t y_3 = round_32(y_2);  /* F36, |x| <= 0.0209 */
     const int64_t y_4 = (int64_t)phi_square * y_3;  /* F73 */
-    const int32_t y = round_30(y_4);  /* F43, |x| <= 0.000219 */
+    const int32_t y = round_32(y_4);  /* F41, |x| <= 0.000219 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F77 */
-    const int32_t bent_x = round_32(bent_x_1);  /* F45, |x| <= 2.24e-05 */
+    const int64_t bent_x_1 = (int64_t)y * phi_x;  /* F75 */
+    const int32_t bent_x = round_32(bent_x_1);  /* F43, |x| <= 2.24e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int32_t v_x_fine_carried = state->residual[3];  /* F45 */
-    const int32_t v_x_fine_whole = bent_x + v_x_fine_carried;  /* F45 */
-    const int32_t v_x_fine = round_short_10(v_x_fine_whole);  /* F35 */
-    const int32_t v_x_fine_left = left_of_short_10(v_x_fine_whole, v_x_fine);  /* F45 */
+    const int32_t v_x_fine_carried = state->residual[3];  /* F43 */
+    const int32_t v_x_fine_whole = bent_x + v_x_fine_carried;  /* F43 */
+    const int32_t v_x_fine = round_short_8(v_x_fine_whole);  /* F35 */
+    const int32_t v_x_fine_left = left_of_short_8(v_x_fine_whole, v_x_fine);  /* F43 */
+    state->residual[3] = v_x_fine_left;
     const int32_t v_x = v_x_fine + phi_x;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F77 */
-    const int32_t bent_y = round_32(bent_y_1);  /* F45, |x| <= 2.24e-05 */
+    const int64_t bent_y_1 = (int64_t)y * phi_y;  /* F75 */
+    const int32_t bent_y = round_32(bent_y_1);  /* F43, |x| <= 2.24e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int32_t v_y_fine_carried = state->residual[4];  /* F45 */
-    const int32_t v_y_fine_whole = bent_y + v_y_fine_carried;  /* F45 */
-    const int32_t v_y_fine = round_short_10(v_y_fine_whole);  /* F35 */
-    const int32_t v_y_fine_left = left_of_short_10(v_y_fine_whole, v_y_fine);  /* F45 */
+    const int32_t v_y_fine_carried = state->residual[4];  /* F43 */
+    const int32_t v_y_fine_whole = bent_y + v_y_fine_carried;  /* F43 */
+    const int32_t v_y_fine = round_short_8(v_y_fine_whole);  /* F35 */
+    const int32_t v_y_fine_left = left_of_short_8(v_y_fine_whole, v_y_fine);  /* F43 */
+    state->residual[4] = v_y_fine_left;
     const int32_t v_y = v_y_fine + phi_y;  /* F35, |x| <= 0.0512 */
 
     /* bent = y phi   [cao (14)] */
-    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F77 */
-    const int32_t bent_z = round_32(bent_z_1);  /* F45, |x| <= 2.24e-05 */
+    const int64_t bent_z_1 = (int64_t)y * phi_z;  /* F75 */
+    const int32_t bent_z = round_32(bent_z_1);  /* F43, |x| <= 2.24e-05 */
 
     /* v, the rounding of the last update added, that of this one kept */
-    const int32_t v_z_fine_carried = state->residual[5];  /* F45 */
-    const int32_t v_z_fine_whole = bent_z + v_z_fine_carried;  /* F45 */
-    const int32_t v_z_fine = round_short_10(v_z_fine_whole);  /* F35 */
-    const int32_t v_z_fine_left = left_of_short_10(v_z_fine_whole, v_z_fine);  /* F45 */
+    const int32_t v_z_fine_carried = state->residual[5];  /* F43 */
+    const int32_t v_z_fine_whole = bent_z + v_z_fine_carried;  /* F43 */
+    const int32_t v_z_fine = round_short_8(v_z_fine_whole);  /* F35 */
+    const int32_t v_z_fine_left = left_of_short_8(v_z_fine_whole, v_z_fine);  /* F43 */
+    state->residual[5] = v_z_fine_left;
     const int32_t v_z = v_z_fine + phi_z;  /* F35, |x| <= 0.0512 */
 
     /* u = cos(|phi|/2) - 1, polynomial in |phi|^2   [cao (9)] */
@@ -414,24 +412,39 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     /* a = u + e */
     const int64_t a_1 = u * INT64_C(8388608);  /* F61 */
     const int64_t a_2 = a_1 + INT64_C(1152921504606846976) /* 1/2 */;  /* F61 */
+
+    /* attitude and input */
+    const int64_t q_w_whole = state->q[0];  /* F62, |x| <= 1.01 */
+    const int32_t q_w = round_32(q_w_whole);  /* F30, |x| <= 1.01 */
+    const int64_t q_x_whole = state->q[1];  /* F62, |x| <= 1.01 */
+    const int32_t q_x = round_32(q_x_whole);  /* F30, |x| <= 1.01 */
+    const int64_t q_y_whole = state->q[2];  /* F62, |x| <= 1.01 */
+    const int32_t q_y = round_32(q_y_whole);  /* F30, |x| <= 1.01 */
+    const int64_t q_z_whole = state->q[3];  /* F62, |x| <= 1.01 */
+    const int32_t q_z = round_32(q_z_whole);  /* F30, |x| <= 1.01 */
+
+    /* a = u + e */
     const int64_t a_3 = (int64_t)q_w * q_w;  /* F60 */
-    const int64_t a_4 = a_2 - a_3;  /* F61 */
-    const int64_t a_5 = (int64_t)q_x * q_x;  /* F60 */
-    const int64_t a_6 = a_4 - a_5;  /* F61 */
-    const int64_t a_7 = (int64_t)q_y * q_y;  /* F60 */
-    const int64_t a_8 = a_6 - a_7;  /* F61 */
-    const int64_t a_9 = (int64_t)q_z * q_z;  /* F60 */
-    const int64_t a_10 = a_8 - a_9;  /* F61 */
+    const int64_t a_4 = (int64_t)q_x * q_x;  /* F60 */
+    const int64_t a_5 = a_3 + a_4;  /* F61 */
+    const int64_t a_6 = (int64_t)q_y * q_y;  /* F60 */
+    const int64_t a_7 = a_5 + a_6;  /* F61 */
+    const int64_t a_8 = (int64_t)q_z * q_z;  /* F60 */
+    const int64_t a_9 = a_7 + a_8;  /* F61 */
+    const int64_t a_10 = a_2 - a_9;  /* F61 */
     const int32_t a = round_26(a_10);  /* F35, |x| <= 0.00523 */
 
     /* dq = q (x) [a, v]   [cao (14)] */
+    const int32_t v_x_negated = -v_x;  /* F35 */
+    const int32_t v_y_negated = -v_y;  /* F35 */
+    const int32_t v_z_negated = -v_z;  /* F35 */
     const int64_t dq_w_1 = (int64_t)q_w * a;  /* F65 */
-    const int64_t dq_w_2 = (int64_t)q_x * v_x;  /* F65 */
-    const int64_t dq_w_3 = dq_w_1 - dq_w_2;  /* F65 */
-    const int64_t dq_w_4 = (int64_t)q_y * v_y;  /* F65 */
-    const int64_t dq_w_5 = dq_w_3 - dq_w_4;  /* F65 */
-    const int64_t dq_w_6 = (int64_t)q_z * v_z;  /* F65 */
-    const int64_t dq_w_7 = dq_w_5 - dq_w_6;  /* F65 */
+    const int64_t dq_w_2 = (int64_t)q_x * v_x_negated;  /* F65 */
+    const int64_t dq_w_3 = dq_w_1 + dq_w_2;  /* F65 */
+    const int64_t dq_w_4 = (int64_t)q_y * v_y_negated;  /* F65 */
+    const int64_t dq_w_5 = dq_w_3 + dq_w_4;  /* F65 */
+    const int64_t dq_w_6 = (int64_t)q_z * v_z_negated;  /* F65 */
+    const int64_t dq_w_7 = dq_w_5 + dq_w_6;  /* F65 */
     const int64_t dq_w = round_wide_3(dq_w_7);  /* F62, |x| <= 0.0517 */
 
     /* q_next = q + dq */
@@ -443,8 +456,8 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     const int64_t dq_x_3 = dq_x_1 + dq_x_2;  /* F65 */
     const int64_t dq_x_4 = (int64_t)q_y * v_z;  /* F65 */
     const int64_t dq_x_5 = dq_x_3 + dq_x_4;  /* F65 */
-    const int64_t dq_x_6 = (int64_t)q_z * v_y;  /* F65 */
-    const int64_t dq_x_7 = dq_x_5 - dq_x_6;  /* F65 */
+    const int64_t dq_x_6 = (int64_t)q_z * v_y_negated;  /* F65 */
+    const int64_t dq_x_7 = dq_x_5 + dq_x_6;  /* F65 */
     const int64_t dq_x = round_wide_3(dq_x_7);  /* F62, |x| <= 0.0517 */
 
     /* q_next = q + dq */
@@ -456,8 +469,8 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     const int64_t dq_y_3 = dq_y_1 + dq_y_2;  /* F65 */
     const int64_t dq_y_4 = (int64_t)q_z * v_x;  /* F65 */
     const int64_t dq_y_5 = dq_y_3 + dq_y_4;  /* F65 */
-    const int64_t dq_y_6 = (int64_t)q_x * v_z;  /* F65 */
-    const int64_t dq_y_7 = dq_y_5 - dq_y_6;  /* F65 */
+    const int64_t dq_y_6 = (int64_t)q_x * v_z_negated;  /* F65 */
+    const int64_t dq_y_7 = dq_y_5 + dq_y_6;  /* F65 */
     const int64_t dq_y = round_wide_3(dq_y_7);  /* F62, |x| <= 0.0517 */
 
     /* q_next = q + dq */
@@ -469,8 +482,8 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     const int64_t dq_z_3 = dq_z_1 + dq_z_2;  /* F65 */
     const int64_t dq_z_4 = (int64_t)q_x * v_y;  /* F65 */
     const int64_t dq_z_5 = dq_z_3 + dq_z_4;  /* F65 */
-    const int64_t dq_z_6 = (int64_t)q_y * v_x;  /* F65 */
-    const int64_t dq_z_7 = dq_z_5 - dq_z_6;  /* F65 */
+    const int64_t dq_z_6 = (int64_t)q_y * v_x_negated;  /* F65 */
+    const int64_t dq_z_7 = dq_z_5 + dq_z_6;  /* F65 */
     const int64_t dq_z = round_wide_3(dq_z_7);  /* F62, |x| <= 0.0517 */
 
     /* q_next = q + dq */
@@ -481,14 +494,6 @@ void rotation_vector_4_expanded_fixed32_compensated_update(
     state->q[1] = q_next_x;
     state->q[2] = q_next_y;
     state->q[3] = q_next_z;
-
-    /* carry the roundings to the next update */
-    state->residual[0] = phi_x_left;
-    state->residual[1] = phi_y_left;
-    state->residual[2] = phi_z_left;
-    state->residual[3] = v_x_fine_left;
-    state->residual[4] = v_y_fine_left;
-    state->residual[5] = v_z_fine_left;
 }
 
 void rotation_vector_4_expanded_fixed32_compensated_quaternion(

@@ -19,13 +19,13 @@
  *              2.5e-15 (scalar), 6.1e-15 (vector), proved over the rationals
  * rounding:    one update is within 4.3e-09 of exact arithmetic, in the norm of the components,
  *              what is carried included, which does not add up; proved
- * high words:  6 of 22 rounded sums of products drop a whole word, 2 before formats were searched
+ * high words:  7 of 22 rounded sums of products drop a whole word, 2 before formats were searched
  *              for that; of one update's errors in the first order it made 4.1e-10 of 4.1e-10
  *
  * operations        multiply  by 2^k  add  subtract  negate  divide  sqrt  trig  less  select  shift
  * update as-written       59       0   43        19       0       0     0     0     0       0      0
  * update shared           55       4   43        19       0       0     0     0     0       0      0
- * update emitted          55       0   40        34       0       0     0     0     0       0     49
+ * update emitted          55       0   49        25       3       0     0     0     0       0     49
  *
  * Integer arithmetic of C99 alone, without undefined and without implementation-defined results:
  * the bits are the same on every conforming compiler and processor, whatever its flags.

@@ -25,7 +25,6 @@ from qcone.ir.statement import (
     Statement,
     Write,
     reachable,
-    walk,
 )
 
 
@@ -69,7 +68,8 @@ class _Checker:
     def __init__(self, routine: Routine, language: type[Enum]) -> None:
         self.routine, self.language = routine, language
         self.defined: set[int] = set()
-        self.written: set[str] = set()
+        self.written: set[tuple[str, int]] = set()
+        """Components of blocks."""
 
     def run(self) -> None:
         self._body(self.routine.body, ({},), frozenset())
@@ -87,7 +87,7 @@ class _Checker:
                     self._place(statement, statement.place, turns)
                     if self.routine.block(statement.place.block).role in (Role.INPUT, Role.TABLE):
                         self._fail(statement, f"'{statement.place.block}' is read only")
-                    self.written.add(statement.place.block)
+                    self.written |= _components(statement.place, turns)
                 case Loop():
                     self._loop(statement, turns, known)
                 case Call():
@@ -104,9 +104,8 @@ class _Checker:
             self._fail(statement, f"the counter '{statement.counter}' is in use")
         self._counted(statement, statement.first, turns)
         self._counted(statement, statement.last, turns)
-        written = (each.place.block for each in walk(statement.body) if isinstance(each, Write))
-        self.written.update(written)  # what one turn writes, the next one reads
-        inside = [{**counters, statement.counter: turn} for counters in turns for turn in statement.turns(counters)]
+        inside = _inside(statement, turns)
+        self.written |= _written(statement.body, inside)  # what one turn writes, the next one reads
         self._body(statement.body, inside, frozenset(known))
 
     def _operation(self, statement: Operation, turns: Turns, known: set[int]) -> None:
@@ -124,7 +123,7 @@ class _Checker:
         if statement.place is not None:
             self._place(statement, statement.place, turns)
             block = self.routine.block(statement.place.block)
-            if block.role is Role.STATE and block.name in self.written:
+            if block.role is Role.STATE and self.written & _components(statement.place, turns):
                 self._fail(statement, f"the state '{block.name}' is read after it was written")
         if (statement.format is None) != (self.language is RealOp):
             self._fail(statement, "a machine value has a format, a real value has none")
@@ -172,3 +171,30 @@ class _Checker:
 
     def _fail(self, statement: Statement, why: str) -> None:
         raise IllegalRoutineError(f"routine '{self.routine.name}': {statement}: {why}")
+
+
+def _components(place: Place, turns: Turns) -> set[tuple[str, int]]:
+    """Return the components that a place is in some turn of the loops around it."""
+    return {(place.block, place.index.at(counters)) for counters in _having(turns, place.index)}
+
+
+def _written(body: Sequence[Statement], turns: Turns) -> set[tuple[str, int]]:
+    """Return the components that a body of statements writes in all of its turns."""
+    found: set[tuple[str, int]] = set()
+    for statement in body:
+        if isinstance(statement, Write):
+            found |= _components(statement.place, turns)
+        elif isinstance(statement, Loop):
+            found |= _written(statement.body, _inside(statement, turns))
+    return found
+
+
+def _inside(loop: Loop, turns: Turns) -> Turns:
+    counted = _having(turns, loop.first, loop.last)
+    return [{**counters, loop.counter: turn} for counters in counted for turn in loop.turns(counters)]
+
+
+def _having(turns: Turns, *indices: Index) -> Turns:
+    """Return the turns that know the counters of indices; an index of others is told where it stands."""
+    names = {name for index in indices for name, _ in index.terms}
+    return [counters for counters in turns if names <= set(counters)]

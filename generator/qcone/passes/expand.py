@@ -13,7 +13,7 @@ from fractions import Fraction
 from qcone.formats.fixed import Signal
 from qcone.ir.detail import Aligned, Limits, Mac, Shift
 from qcone.ir.machine import MachineOp
-from qcone.ir.statement import Operation, Place, Routine, Statement, Step, Write, unused
+from qcone.ir.statement import Operation, Place, Routine, Statement, Write, unused
 
 
 def expand(routine: Routine, narrow: bool = True) -> Routine:
@@ -28,10 +28,8 @@ class _Expansion:
     def __init__(self, routine: Routine, narrow: bool) -> None:
         self.routine = routine
         self.names = dict(routine.names)
-        self.steps = list(routine.steps)
         self.next = unused(routine)
         self.body: list[Statement] = []
-        self.kept: list[Write] = []
         self.formats: dict[int, Signal] = {}
         self.bounds: dict[int, Fraction] = {}
         self.narrow = narrow
@@ -50,8 +48,7 @@ class _Expansion:
                     self._quotient(statement, statement.detail)
                     continue
             self.body.append(statement)
-        body = (*self.body, *self.kept)
-        return replace(self.routine, body=body, names=self.names, steps=tuple(self.steps))
+        return replace(self.routine, body=tuple(self.body), names=self.names)
 
     def _emit(
         self, op: MachineOp, args: tuple[int, ...], signal: Signal, like: Operation, shift: Shift | None = None
@@ -112,16 +109,20 @@ class _Expansion:
         return size
 
     def _total(self, terms: tuple[Aligned, ...], wide: Signal, like: Operation) -> int:
-        positive = [each for each in terms if not each.negative]
-        first = positive[0] if positive else terms[0]
-        total = self._term(first, wide, like)
-        if first.negative:
-            total = self._emit(MachineOp.NEGATE, (total,), wide, like)
-        for term in terms:
-            if term is first:
-                continue
-            op = MachineOp.SUBTRACT if term.negative else MachineOp.ADD
-            total = self._emit(op, (total, self._term(term, wide, like)), wide, like)
+        """Write a sum: what is added, less the sum of what is subtracted; a product is added in one instruction."""
+        added = [each for each in terms if not each.negative]
+        taken = [each for each in terms if each.negative]
+        if not added:
+            return self._emit(MachineOp.NEGATE, (self._added(taken, wide, like),), wide, like)
+        total = self._added(added, wide, like)
+        if taken:
+            total = self._emit(MachineOp.SUBTRACT, (total, self._added(taken, wide, like)), wide, like)
+        return total
+
+    def _added(self, terms: list[Aligned], wide: Signal, like: Operation) -> int:
+        total = self._term(terms[0], wide, like)
+        for term in terms[1:]:
+            total = self._emit(MachineOp.ADD, (total, self._term(term, wide, like)), wide, like)
         return total
 
     def _result(self, operation: Operation, mac: Mac, total: int, wide: Signal) -> None:
@@ -211,10 +212,5 @@ class _Expansion:
         signal = Signal(kept.width, wide.fraction)
         left = self._emit(MachineOp.REMAINDER, (total, rounded), signal, operation, Shift(mac.discard))
         self.names[left] = f"{called}_left"
-        self.kept.append(Write(place, left, self._step()))
-
-    def _step(self) -> int:
-        step = Step("carry the roundings to the next update")
-        if step not in self.steps:
-            self.steps.append(step)
-        return self.steps.index(step)
+        # Kept at once: what waits for the end of the routine would hold a register until then.
+        self.body.append(Write(place, left, operation.step))

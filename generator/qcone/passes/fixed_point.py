@@ -28,7 +28,9 @@ from qcone.passes.high_word import WORD, HighWord, high_word
 from qcone.passes.intervals import root_above
 from qcone.passes.lower_fixed import Residual, lower_fixed, residual_block
 from qcone.passes.magnitudes import Declared, Magnitudes
+from qcone.passes.negate import negate
 from qcone.passes.qassign import Assigner
+from qcone.passes.read_late import read_late
 from qcone.passes.sweep import sweep
 from qcone.passes.widen import widen
 
@@ -274,8 +276,11 @@ class _FixedPoint:
             state = (state[0], block, *state[1:])
             routines = [self._with_residual(routine, block) for routine in routines]
         macs = replace(self.program, state=state, routines=tuple(routines))
-        integers = replace(macs, routines=tuple(expand(each, self.number.overflow == "prove") for each in routines))
+        integers = replace(macs, routines=tuple(map(self._expanded, routines)))
         return FixedProgram(macs, integers, proved)
+
+    def _expanded(self, routine: Routine) -> Routine:
+        return read_late(expand(negate(routine)) if self.number.overflow == "prove" else expand(routine, narrow=False))
 
     def _with_residual(self, routine: Routine, block: Block) -> Routine:
         """Clear what is carried where the attitude is set, and hand it on where a call is handed on."""

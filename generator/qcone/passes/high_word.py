@@ -27,6 +27,8 @@ SEEN = {False: Fraction(1, 2**37), True: Fraction(1, 2**43)}
 2^-7 and 2^-13 of its last bit."""
 ALIGNED = 32
 """How much more where it saves a shift of every other product of a sum."""
+LONE = 128
+"""How much more for a product that is a sum of its own: product and rounding become one instruction."""
 
 
 @dataclass(frozen=True)
@@ -74,6 +76,8 @@ class _State:
     dropped: dict[int, int]
     made: frozenset[int]
     """Values that are sums: those whose bits are a choice."""
+    lone: frozenset[int]
+    """Sums of one product."""
     total: Fraction
 
     @property
@@ -105,7 +109,12 @@ def _state(assigner: Assigner, found: Formats) -> _State:
         for each in found.routine.body
         if isinstance(each, Operation) and each.op in (RealOp.SUM, RealOp.WIDE)
     )
-    return _State(weights, dropped, made, sum(errors, Fraction(0)))
+    lone = frozenset(
+        each.result
+        for each in found.routine.body
+        if isinstance(each, Operation) and isinstance(each.detail, Sum) and len(each.detail.terms) == 1
+    )
+    return _State(weights, dropped, made, lone, sum(errors, Fraction(0)))
 
 
 def _free(coefficient: Fraction) -> bool:
@@ -163,7 +172,7 @@ def _changes(assigner: Assigner, found: Formats, known: _State, seen: Fraction) 
         signal: Signal = found.signals[value]
         wanted = signal.fraction - (WORD - bits)
         added = known.weights.get(value, Fraction(0)) * Fraction(2) ** -(wanted + 1)
-        if added <= seen:
+        if added <= seen * (LONE if value in known.lone else 1):
             changes[value] = wanted
     if not changes:
         for statement in found.routine.body:
