@@ -21,16 +21,14 @@ from qcone.passes.block_ranges import GIVEN, RESIDUAL, WHOLE_BITS, BlockRanges, 
 from qcone.passes.choices import Formats, PinError
 from qcone.passes.declared import Declaration, scaled, with_last_bits
 from qcone.passes.errors import errors
-from qcone.passes.expand import expand
 from qcone.passes.fuse import fuse
 from qcone.passes.guard import guarded
 from qcone.passes.high_word import WORD, HighWord, high_word
+from qcone.passes.integers import to_integers
 from qcone.passes.intervals import root_above
 from qcone.passes.lower_fixed import Residual, lower_fixed, residual_block
 from qcone.passes.magnitudes import Declared, Magnitudes
-from qcone.passes.negate import negate
 from qcone.passes.qassign import Assigner
-from qcone.passes.read_late import read_late
 from qcone.passes.sweep import sweep
 from qcone.passes.widen import widen
 
@@ -163,8 +161,10 @@ class _FixedPoint:
         if assigner.routine.name not in UPDATING or self.number.width != WORD:
             return assigner, found
         better, cost = high_word(assigner, found, self.compensated)
+        if not self._stays(assigner, better, spread):
+            return assigner, found
         self.cost[assigner.routine.name] = cost
-        return assigner, better if self._stays(assigner, better, spread) else found
+        return assigner, better
 
     def _saturated(
         self, assigner: Assigner, found: Formats, signals: Mapping[str, Signal], declared: Mapping[str, Declared]
@@ -276,11 +276,9 @@ class _FixedPoint:
             state = (state[0], block, *state[1:])
             routines = [self._with_residual(routine, block) for routine in routines]
         macs = replace(self.program, state=state, routines=tuple(routines))
-        integers = replace(macs, routines=tuple(map(self._expanded, routines)))
+        proven = self.number.overflow == "prove"
+        integers = replace(macs, routines=tuple(to_integers(each, proven) for each in routines))
         return FixedProgram(macs, integers, proved)
-
-    def _expanded(self, routine: Routine) -> Routine:
-        return read_late(expand(negate(routine)) if self.number.overflow == "prove" else expand(routine, narrow=False))
 
     def _with_residual(self, routine: Routine, block: Block) -> Routine:
         """Clear what is carried where the attitude is set, and hand it on where a call is handed on."""
