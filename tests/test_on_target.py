@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 import pytest
 
+from qcone import pipeline
 from qcone.bundle import Bundle
 from qcone.on_avr import verify_on_avr
 from qcone.on_board import verify_on_board
@@ -19,7 +21,7 @@ from qcone.targets.emulation import Emulation, NotMeasuredError
 from qcone.targets.machines import TARGETS, Target
 from qcone.vectors import GO_ON, INIT, SUBNORMAL_ROWS, Vectors, draw_chain
 from qcone.verify import Outcome, model_words
-from shipped import shipped
+from shipped import DESIGNS, shipped
 
 NAME = "rotation_vector_3_coning_float32"
 EMULATED = [name for name, each in TARGETS.items() if each.emulated]
@@ -196,19 +198,43 @@ def test_one_unit_of_the_last_place_is_caught(emulation: Emulation) -> None:
     assert (found.first_difference or "").startswith("lane 0, step ")
 
 
+def dividing(monkeypatch: pytest.MonkeyPatch) -> Bundle:
+    """Return a design whose Euler angles divide whatever comes of it, subnormal quotients included."""
+    chosen = pipeline.choose_functions
+    monkeypatch.setattr(pipeline, "choose_functions", lambda number: replace(chosen(number), negligible=Fraction(0)))
+    return pipeline.build(DESIGNS["rotation_vector_3_coning_euler_zyx_float32"])
+
+
 @pytest.mark.parametrize(("target", "wrong"), [("cortex-m3", True), ("cortex-m4f", False), ("powerpc", False)])
-def test_wrong_quotient_of_a_runtime_library_is_told(target: str, wrong: bool, emulation: Emulation) -> None:
+def test_wrong_quotient_of_a_runtime_library_is_told(
+    target: str, wrong: bool, monkeypatch: pytest.MonkeyPatch, emulation: Emulation
+) -> None:
     """ziglang's soft division rounds subnormal quotients wrongly; a divider in hardware does not."""
-    found = outcome(shipped("rotation_vector_3_coning_euler_zyx_float32"), target, emulation, 10_000)
+    found = outcome(dividing(monkeypatch), target, emulation, 10_000)
     assert (found.status == "differs") == bool(found.differing_bits) == wrong
     said = "the compiler's own division rounds subnormal quotients wrongly: 0x1."
     assert (found.first_difference or "").startswith(said) == wrong
 
 
-def test_library_that_divides_right_is_not_blamed(missing_tool, emulation: Emulation) -> None:
+@pytest.mark.parametrize(
+    ("name", "target"),
+    [
+        ("rotation_vector_3_coning_euler_zyx_float32", "cortex-m3"),
+        ("rotation_vector_3_coning_euler_zyx_float64", "cortex-m4f"),
+        ("dcm_taylor_3_10_euler_float64", "rv32imc"),
+    ],
+)
+def test_shipped_designs_make_no_subnormal_quotient(name: str, target: str, emulation: Emulation) -> None:
+    found = outcome(shipped(name), target, emulation, 10_000)
+    assert (found.status, found.differing_bits) == ("ok", 0)
+
+
+def test_library_that_divides_right_is_not_blamed(
+    missing_tool, monkeypatch: pytest.MonkeyPatch, emulation: Emulation
+) -> None:
     if not gcc_for_arm():
         missing_tool("arm-none-eabi-gcc (apt install gcc-arm-none-eabi)")
-    bundle, target = shipped("rotation_vector_3_coning_euler_zyx_float32"), TARGETS["cortex-m3"]
+    bundle, target = dividing(monkeypatch), TARGETS["cortex-m3"]
     gcc = cross_compiler("arm-none-eabi-gcc")
     found = verify_on(bundle, target, gcc, draw_chain(bundle, 10_000), emulation)
     assert (found.status, found.differing_bits) == ("ok", 0)

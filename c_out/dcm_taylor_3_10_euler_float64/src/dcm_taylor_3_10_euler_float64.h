@@ -26,9 +26,9 @@
  * dcm as-written           0       0    0         0       0       0     0     0     0       0
  * dcm shared               0       0    0         0       0       0     0     0     0       0
  * dcm emitted              0       0    0         0       0       0     0     0     0       0
- * euler as-written        97       0   73        28      10       4     0     0    29      67
- * euler shared            77      19   73        28       9       4     0     0    29      67
- * euler emitted           77      19   73        28       9       4     0     0    29      67
+ * euler as-written       101       0   73        28      10       4     0     0    30      72
+ * euler shared            77      23   73        28       9       4     0     0    30      72
+ * euler emitted           77      23   73        28       9       4     0     0    30      72
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload

@@ -24,9 +24,9 @@
  * update as-written       39       0   33        13       0       0     0     0     0       0
  * update shared           38       1   33        13       0       0     0     0     0       0
  * update emitted          38       1   33        13       0       0     0     0     0       0
- * euler as-written        52       0   32        17      10       4     0     0    25      50
- * euler shared            37      14   32        17       9       4     0     0    25      50
- * euler emitted           37      14   32        17       9       4     0     0    25      50
+ * euler as-written        56       0   32        17      10       4     0     0    26      55
+ * euler shared            37      18   32        17       9       4     0     0    26      55
+ * euler emitted           37      18   32        17       9       4     0     0    26      55
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload

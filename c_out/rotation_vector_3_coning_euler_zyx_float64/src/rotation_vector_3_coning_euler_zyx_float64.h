@@ -24,9 +24,9 @@
  * update as-written       43       0   37        13       0       0     0     0     0       0
  * update shared           42       1   37        13       0       0     0     0     0       0
  * update emitted          42       1   37        13       0       0     0     0     0       0
- * euler as-written        76       0   54        17      10       4     0     0    26      52
- * euler shared            59      16   54        17       9       4     0     0    26      52
- * euler emitted           59      16   54        17       9       4     0     0    26      52
+ * euler as-written        80       0   54        17      10       4     0     0    27      57
+ * euler shared            59      20   54        17       9       4     0     0    27      57
+ * euler emitted           59      20   54        17       9       4     0     0    27      57
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload

@@ -31,9 +31,9 @@
  * dcm as-written                    9       0    9         6       0       0     0     0     0       0
  * dcm shared                        9       0    9         6       0       0     0     0     0       0
  * dcm emitted                       9       0    9         6       0       0     0     0     0       0
- * euler as-written                 76       0   54        17      10       4     0     0    26      52
- * euler shared                     59      16   54        17       9       4     0     0    26      52
- * euler emitted                    59      16   54        17       9       4     0     0    26      52
+ * euler as-written                 80       0   54        17      10       4     0     0    27      57
+ * euler shared                     59      20   54        17       9       4     0     0    27      57
+ * euler emitted                    59      20   54        17       9       4     0     0    27      57
  * correct as-written               32       0   25         6       3       0     0     0     5       9
  * correct shared                   32       0   25         6       3       0     0     0     5       9
  * correct emitted                  32       0   25         6       3       0     0     0     5       9
@@ -43,9 +43,9 @@
  * body_dcm as-written               9       0    9         6       0       0     0     0     0       0
  * body_dcm shared                   9       0    9         6       0       0     0     0     0       0
  * body_dcm emitted                  9       0    9         6       0       0     0     0     0       0
- * body_euler as-written            76       0   54        17      10       4     0     0    26      52
- * body_euler shared                59      16   54        17       9       4     0     0    26      52
- * body_euler emitted               59      16   54        17       9       4     0     0    26      52
+ * body_euler as-written            80       0   54        17      10       4     0     0    27      57
+ * body_euler shared                59      20   54        17       9       4     0     0    27      57
+ * body_euler emitted               59      20   54        17       9       4     0     0    27      57
  *
  * The bits are the same on every machine that rounds each operation to its own IEEE 754 format.
  * Under flush-to-zero they hold for components that are 0 or at least 2^-48 in size; the payload

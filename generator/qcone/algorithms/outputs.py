@@ -26,6 +26,7 @@ from qcone.ir.real import (
     named,
     number,
     quaternion,
+    ratio,
     reciprocal_root,
     select,
     sine_cosine,
@@ -66,8 +67,8 @@ def _pitch(up: Scalar, down: Scalar) -> Scalar:
         angle = arctangent_2(square_root(wide(F(1, 4) * up)), square_root(wide(F(1, 4) * down)))
         return within(angle + angle - PI / 2, -ABOVE_HALF_PI, ABOVE_HALF_PI)
     above = less(down, up)
-    ratio = select(above, down, up) / select(above, up, down)
-    angle = arctangent_2(square_root_of_unit(ratio), number(1, up))
+    square = ratio(select(above, down, up), select(above, up, down))
+    angle = arctangent_2(square_root_of_unit(square), number(1, up))
     from_pole = PI / 2 - (angle + angle)
     return select(above, from_pole, -from_pole)
 

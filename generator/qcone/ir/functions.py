@@ -90,11 +90,27 @@ def square_root(x: Scalar) -> Scalar:
     return t * reciprocal_root(t) * scale
 
 
+def ratio(small: Scalar, large: Scalar) -> Scalar:
+    """Return small/large of 0 <= small <= large; 0 where both are 0, and for a ratio near the least normal number."""
+    functions = small.builder.writing.functions
+    return small / large if functions is None else _quotient(small, large, _counts(small, large, functions))
+
+
+def _counts(small: Scalar, large: Scalar, functions: Functions) -> Condition:
+    return less(functions.negligible * large, small)
+
+
+def _quotient(top: Scalar, bottom: Scalar, counts: Condition) -> Scalar:
+    """Return top/bottom where it counts, else 0: runtime libraries round subnormal quotients in ways of their own."""
+    return select(counts, top, 0) / select(counts, bottom, 1)
+
+
 def arctangent_2(y: Scalar, x: Scalar) -> Scalar:
     """Return atan2(y, x) in [-pi, pi]; 0 for x = y = 0.
 
     The smaller over the larger magnitude lies in [0, 1]; above tan(pi/8) the angle is counted from pi/4, by
-    (a - b)/(a + b), so that the polynomial's argument stays below 0.4143: one division in all.
+    (a - b)/(a + b), so that the polynomial's argument stays below 0.4143: one division in all. A ratio near the
+    least normal number is taken for 0, far below the last bit of any angle that is not as small itself.
     """
     functions = x.builder.writing.functions
     if functions is None:
@@ -109,7 +125,7 @@ def arctangent_2(y: Scalar, x: Scalar) -> Scalar:
     if x.builder.writing.fixed:
         t = within(top / within(bottom, functions.smallest, 8), -ARCTANGENT_END, ARCTANGENT_END)
     else:
-        t = top / select(less(number(0, large), large), bottom, 1)
+        t = _quotient(top, bottom, _counts(small, large, functions))
     square = t * t
     angle = t + t * (square * horner(functions.arctangent, square))
     angle = select(past, PI / 4 + angle, angle)

@@ -25,7 +25,8 @@ class Functions:
     atan(t) = t + t^3 (arctangent[0] + arctangent[1] t^2 + ...) for |t| <= 0.4143, `eighth` being tan(pi/8);
     1/sqrt(t) begins at reciprocal_root[0] + reciprocal_root[1] t + ... on [1, 4]; `ladder` lists the powers of four
     by which a square root brings its argument there, the largest first. sin(t) = t + t^3 (sine[0] + ...) and
-    cos(t) = 1 + t^2 (cosine[0] + ...) for 0 <= t <= pi/4. `smallest` is what a divisor is at least in fixed point.
+    cos(t) = 1 + t^2 (cosine[0] + ...) for 0 <= t <= pi/4. `smallest` is what a divisor is at least in fixed point,
+    `negligible` the ratio up to which floats take an angle for 0.
     """
 
     arctangent: tuple[Fraction, ...]
@@ -35,6 +36,7 @@ class Functions:
     sine: tuple[Fraction, ...]
     cosine: tuple[Fraction, ...]
     smallest: Fraction
+    negligible: Fraction
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from functools import cache
 from math import factorial, isqrt
 
 from qcone.elimination import solve
+from qcone.formats.fixed import Fixed
 from qcone.formats.floating import Floating
 from qcone.ir.writing import Functions, SmallAngle
 from qcone.passes import polynomial
@@ -17,13 +18,15 @@ ARCTANGENT_END = Fraction(4143, 10**4)
 """The largest argument of the arctangent's polynomial: (1 - EIGHTH)/(1 + EIGHTH) and roundings are below it."""
 QUARTER = Fraction(78540, 10**5)
 """Just above pi/4: the largest argument of sine and cosine polynomials."""
+SPARE = 64
+"""How far above the least normal number a ratio still counts for 0: past the roundings of the comparison."""
 TRIGONOMETRIC_TERMS = 14
 TERMS = 28
 """Terms of the arctangent's series that stand for the function: the next is below 2^-70 at the end."""
 
 
 @cache
-def choose_functions(number: Floating) -> Functions:
+def choose_functions(number: Floating | Fixed) -> Functions:
     """Return the polynomials of least degree whose errors disappear in the format.
 
     The arctangent is within a quarter of the last bit of 1; two Newton steps take the reciprocal root to half of it.
@@ -32,11 +35,13 @@ def choose_functions(number: Floating) -> Functions:
     goal = number.ulp(Fraction(1)) / 4
     sine, cosine = _trigonometric(3, goal), _trigonometric(2, goal)
     smallest = Fraction(16, 2**number.precision)
-    return Functions(_arctangent(goal), EIGHTH, _reciprocal_root(number), ladder, sine, cosine, smallest)
+    negligible = SPARE * number.smallest_normal if isinstance(number, Floating) else Fraction(0)
+    root = _reciprocal_root(number)
+    return Functions(_arctangent(goal), EIGHTH, root, ladder, sine, cosine, smallest, negligible)
 
 
 @cache
-def choose_small_angle(number: Floating, largest: Fraction) -> SmallAngle:
+def choose_small_angle(number: Floating | Fixed, largest: Fraction) -> SmallAngle:
     """Return the shortest series of sine and cosine for |t| <= `largest` <= 1 rad.
 
     The terms fall and alternate, so that what is left out is less than the first term left out: at most a quarter
@@ -103,7 +108,7 @@ def arctangent_error(coefficients: list[Fraction]) -> Fraction:
     return polynomial.bound(error, ARCTANGENT_END) + rest
 
 
-def _reciprocal_root(number: Floating) -> tuple[Fraction, ...]:
+def _reciprocal_root(number: Floating | Fixed) -> tuple[Fraction, ...]:
     """Return a polynomial p with |1/sqrt(t) - p(t)| so small on [1, 4] that two Newton steps reach the format."""
     goal = Fraction(1, 2**number.precision)
     for degree in range(2, 16):
