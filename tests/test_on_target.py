@@ -16,6 +16,7 @@ from qcone.on_board import verify_on_board
 from qcone.on_target import verify_on
 from qcone.stepwise import model_steps, packed, state_type, unpacked
 from qcone.targets import avr, qemu
+from qcone.targets import emulation as emulations
 from qcone.targets.cross import cross_compiler
 from qcone.targets.emulation import Emulation, NotMeasuredError
 from qcone.targets.machines import TARGETS, Target
@@ -252,6 +253,15 @@ def test_emulator_that_crashes_has_measured_nothing(monkeypatch: pytest.MonkeyPa
         found = outcome(shipped(NAME), "cortex-m0", one)
     assert (found.status, found.failed, found.differing_bits) == ("not-measured", False, None)
     assert found.first_difference == "not measured: the emulator was ended by signal SIGSEGV"
+
+
+def test_more_rows_than_memory_are_not_measured(monkeypatch: pytest.MonkeyPatch, emulation: Emulation) -> None:
+    monkeypatch.setattr(emulations, "ROOM", 1 << 20)
+    found = outcome(shipped(NAME), "powerpc", emulation, 30_000)
+    assert (found.status, found.failed, found.differing_bits) == ("not-measured", False, None)
+    said = "not measured: 4 MB of buffers, an emulated memory has 1: take fewer rows"
+    assert found.first_difference == said
+    assert outcome(shipped(NAME), "powerpc", emulation, 300).status == "ok"
 
 
 @pytest.mark.parametrize("cc", [None, "arm-none-eabi-gcc"], ids=["zig", "gcc"])

@@ -12,7 +12,7 @@ from types import TracebackType
 
 from qcone.errors import MissingToolError
 from qcone.targets.elf import Image
-from qcone.targets.job import LONGEST, Buffer, Call, Job, Ran
+from qcone.targets.job import LONGEST, ROOM, Buffer, Call, Job, Ran
 from qcone.targets.machines import Target
 
 ANSWER_S = 300.0
@@ -104,7 +104,14 @@ def job_for(
     least: int = 0,
     longest: int = LONGEST,
 ) -> Job:
-    """Return the job that makes `calls` in an image on a target; see Job."""
+    """Return the job that makes `calls` in an image on a target; see Job.
+
+    Raises NotMeasuredError for more memory than a target of 32 bits has room for beside the image.
+    """
+    asked = sum(len(each.data) for each in buffers)
+    if asked > ROOM:
+        much, most = asked >> 20, ROOM >> 20
+        raise NotMeasuredError(f"not measured: {much} MB of buffers, an emulated memory has {most}: take fewer rows")
     return Job(
         target.architecture,
         target.model,

@@ -17,7 +17,8 @@ from qcone.targets.registers import library, processor
 
 PAGE = 0x1000
 STACK_TOP, STACK_SIZE = 0x7800_0000, 0x4_0000
-BUFFERS = 0x6000_0000
+BUFFERS = 0x2000_0000
+"""Above every image, with room for all the buffers a job may have below the stack."""
 RETURN = 0x7C00_0000
 
 _DATA_ABORT = 4

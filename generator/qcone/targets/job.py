@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 LONGEST = 20_000_000
+ROOM = 1 << 30
+"""Bytes that the buffers of a job may have, all together."""
 
 
 @dataclass(frozen=True)
