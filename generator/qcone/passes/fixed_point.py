@@ -6,6 +6,7 @@ maps into itself, roundings included. What else the state keeps is bounded by wh
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -34,6 +35,8 @@ from qcone.passes.widen import widen
 
 CARRYING = ("update", "steady")
 UPDATING = ("update", "start_up", "hold", "steady")
+HALVINGS = 8
+"""How often a declared range that cannot be proved is halved, at most, to tell what could be."""
 SETTING = ("init", "set_quaternion", "set_dcm", "set_euler")
 
 
@@ -117,12 +120,15 @@ class _FixedPoint:
 
     def _what_would_do(self) -> str:
         """Say which part of the declared range could be proved; nothing where none is found."""
-        for halvings in range(1, 9):
-            part = Fraction(1, 2**halvings)
-            smaller = _FixedPoint(self.program, self.number, scaled(self.declaration, part), self.compensated)
-            if smaller.may_fit():
-                return f"; 1/{2**halvings} of the declared rate would do"
-        return ""
+        if not self._fits(HALVINGS):
+            return ""
+        halvings = bisect_left(range(1, HALVINGS), True, key=self._fits) + 1
+        return f"; 1/{2**halvings} of the declared rate would do"
+
+    def _fits(self, halvings: int) -> bool:
+        """Tell whether some range of the length is kept, if the declared range is halved so many times."""
+        smaller = scaled(self.declaration, Fraction(1, 2**halvings))
+        return _FixedPoint(self.program, self.number, smaller, self.compensated).may_fit()
 
     def may_fit(self) -> bool:
         """Tell whether some range of the attitude's length is kept, if nothing is rounded."""
