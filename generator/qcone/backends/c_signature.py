@@ -39,6 +39,12 @@ def result_array(call: Call, routine: Routine) -> str:
     return f"{next(routine.names[result] for result in call.results if result in routine.names)}_result"
 
 
+def gives(callee: Routine) -> Operation:
+    """Return the operation that makes what a callee returns by value."""
+    (value,) = (each.value for each in callee.body if isinstance(each, Write))
+    return next(each for each in callee.body if isinstance(each, Operation) and each.result == value)
+
+
 def unused(routine: Routine, scalar: bool) -> list[str]:
     """Return the input arguments of a routine's function that its body does not look at."""
     read = [each.place for each in walk(routine.body) if isinstance(each, Operation) and each.place]
