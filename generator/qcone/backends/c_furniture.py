@@ -29,7 +29,8 @@ def furniture(program: Program, number: Fixed) -> tuple[Furniture, ...]:
     """Return the small functions a program calls, each after those it calls itself."""
     made: dict[str, Furniture] = {}
     wraps = number.overflow == "wrap"
-    for routine in (each for routine in program.routines for each in (*reachable(routine), routine)):
+    routines = (each for routine in program.routines for each in (*reachable(routine), routine))
+    for routine in routines:
         widths: dict[int, int] = {}
         for statement in walk(routine.body):
             if isinstance(statement, Call):

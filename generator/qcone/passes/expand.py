@@ -18,9 +18,13 @@ from qcone.ir.statement import Operation, Place, Routine, Statement, Write, resu
 
 @dataclass(frozen=True)
 class Made:
-    """Sums of products that are made already: the statements of each by its result, and the routines they call."""
+    """Sums of products that are made already: the statements of each by its result, and the routines they call.
+
+    `names` are those of values on the way.
+    """
 
     sums: Mapping[int, tuple[Statement, ...]] = field(default_factory=dict)
+    names: Mapping[int, str] = field(default_factory=dict)
     callees: Mapping[str, Routine] = field(default_factory=dict)
 
 
@@ -39,7 +43,7 @@ def expand(routine: Routine, narrow: bool = True, made: Made = WIDE) -> Routine:
 class _Expansion:
     def __init__(self, routine: Routine, narrow: bool, made: Made) -> None:
         self.routine, self.made = routine, made
-        self.names = dict(routine.names)
+        self.names = {**routine.names, **made.names}
         self.next = max([unused(routine), *(value + 1 for body in made.sums.values() for value in results(body))])
         self.body: list[Statement] = []
         self.formats: dict[int, Signal] = {}

@@ -28,10 +28,12 @@ def sums_of_products(routine: Routine, words: Words) -> dict[int, tuple[Operatio
         if not isinstance(each, Operation) or not isinstance(each.detail, Mac):
             continue
         mac, args = each.detail, {arg for term in each.detail.terms for arg in term.args}
-        plain = mac.residual is None and mac.limits is None and mac.rounding != "even" and mac.discard
-        if plain and factors(mac) and words.formats[each.result].width == WORD and mac.accumulator == 2 * WORD:
-            if all(arg in words.ranges or arg in words.constants for arg in args):
-                found[each.result] = (each, mac)
+        plain = mac.residual is None and mac.limits is None and mac.rounding != "even" and mac.discard > 0
+        single = words.formats[each.result].width == WORD and all(
+            arg in words.ranges or arg in words.constants for arg in args
+        )
+        if plain and single and factors(mac) and mac.accumulator == 2 * WORD:
+            found[each.result] = (each, mac)
     return found
 
 

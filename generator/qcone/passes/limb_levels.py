@@ -51,9 +51,7 @@ def levels_of(
     return levels, carries
 
 
-def _level(
-    words: Words, level: Level, addends: Sequence[Addend], into: Sequence[Addend]
-) -> tuple[Level, list[Range]]:
+def _level(words: Words, level: Level, addends: Sequence[Addend], into: Sequence[Addend]) -> tuple[Level, list[Range]]:
     """Return the level with its piles, and the range of each pile with all that is handed to it."""
     ordered = tuple(sorted(addends, key=lambda each: (each.negative, each.order)))
     if _fits(words, [*ordered, *into], level.half):

@@ -6,12 +6,13 @@ m components, each cut at bit k, x = high 2^k + low: |high| <= (|x| + |low|) / 2
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from qcone.formats.fixed import Signal
 from qcone.ir.statement import Operation, Routine
+from qcone.passes.choices import Formats
 from qcone.passes.intervals import root_above
 
 WORD = 32
@@ -19,6 +20,16 @@ LEAST, MOST = -(1 << (WORD - 1)), (1 << (WORD - 1)) - 1
 Range = tuple[int, int]
 Norms = Sequence[tuple[frozenset[int], Fraction]]
 """What is known of the Euclidean norms of sets of values."""
+
+
+def known_norms(found: Formats) -> Norms:
+    """Return what is known of the lengths of a routine's vectors and quaternions, roundings included."""
+    if found.magnitudes is None:
+        return ()
+    several = [(number, group) for number, group in enumerate(found.routine.groups) if len(group.values) > 1]
+    norms = [(group, found.magnitudes.norm(number)) for number, group in several]
+    values = [(frozenset(each if each >= 0 else ~each for each in group.values), norm) for group, norm in norms]
+    return tuple((words, norm[1]) for words, norm in values if norm is not None)
 
 
 @dataclass(frozen=True)
@@ -61,10 +72,11 @@ class Addend:
 
 
 class Words:
-    """What is known of the words of a routine: raw ranges, raw constants, formats, and norms of sets of words."""
+    """What is known of the words of a routine: names, raw ranges, raw constants, formats, norms."""
 
     def __init__(self, routine: Routine, norms: Norms = ()) -> None:
         """Take every value of the routine; the ranges are those of its bounds, which hold of rounded values."""
+        self.names = routine.names
         self.ranges: dict[int, Range] = {}
         self.constants: dict[int, int] = {}
         self.formats: dict[int, Signal] = {}

@@ -1,29 +1,29 @@
 """Sums of products of limbs: every one of a routine that is proved, written out, or in functions that several call.
 
-A function takes words and cuts them itself: no more than four, which the calling conventions of small cores hand over
-in registers, and only where it takes fewer instructions than to write its sum out at every place.
+A function takes words and cuts them itself: no more than eight, and only where it takes fewer instructions than to
+write its sum out at every place.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from fractions import Fraction
 
 from qcone.formats.fixed import Signal
 from qcone.ir.detail import Aligned, Mac
 from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Block, Call, Operation, Place, Role, Routine, Shape, Statement, Step, Write, unused
-from qcone.passes.expand import WIDE, Made, expand
-from qcone.passes.limb_cuts import Sums, choose_cuts, factors, sums_of_products
+from qcone.passes.expand import Made, expand
+from qcone.passes.limb_cuts import Sums, choose_cuts, sums_of_products
 from qcone.passes.limb_levels import UnprovedError
 from qcone.passes.limb_ranges import Norms, Words
 from qcone.passes.limbs import LimbSums
 
-MOST_WORDS = 8
-CALL = 2
-"""Instructions that a call takes beside handing over the words."""
+LETTERS = "abcdefgh"
+MOST_WORDS = len(LETTERS)
+CALL, CUT = 2, 4
+"""Instructions that a call takes beside handing over the words; and, at most, the cut of one of them."""
 Members = list[tuple[Operation, Mac]]
 
 
@@ -31,31 +31,32 @@ def made_of_limbs(routine: Routine, norms: Norms, shared: bool) -> Made:
     """Return the sums of products of a routine that limbs can make; with `shared`, alike ones in functions."""
     words = Words(routine, norms)
     sums = sums_of_products(routine, words)
-    called, callees = _functions(routine, sums, words) if shared else ({}, {})
-    own = {result: each for result, each in sums.items() if result not in called}
-    return Made({**_written_out(routine, own, words)[0], **called}, callees)
+    called = _functions(routine, sums, words) if shared else Made()
+    own = {result: each for result, each in sums.items() if result not in called.sums}
+    made, _ = _written_out(routine, own, words)
+    return Made({**made.sums, **called.sums}, made.names, called.callees)
 
 
-def _written_out(routine: Routine, sums: Sums, words: Words) -> tuple[dict[int, tuple[Statement, ...]], int]:
-    """Return the statements of each sum that is proved, and the instructions of all, the cuts left out."""
+def _written_out(routine: Routine, sums: Sums, words: Words) -> tuple[Made, int]:
+    """Return each sum that is proved, and the instructions of all, the cuts left out."""
     cuts = choose_cuts(sums, words)
-    limbs, found = LimbSums(words, cuts, unused(routine)), {}
+    limbs = LimbSums(words, cuts, unused(routine))
+    found: dict[int, tuple[Statement, ...]] = {}
     for result, (operation, mac) in sums.items():
-        before = (len(limbs.operations), dict(limbs.made))
+        begun, cut = len(limbs.operations), dict(limbs.made)
         try:
             limbs.make(operation, mac)
         except UnprovedError:
-            limbs.made = before[1]
-            del limbs.operations[before[0] :]
+            limbs.made = cut
+            del limbs.operations[begun:]
             continue
-        found[result] = tuple(limbs.operations[before[0] :])
-    return found, limbs.weight - sum(cuts[word].weight for word in limbs.made if word not in words.constants)
+        found[result] = tuple(limbs.operations[begun:])
+    cutting = sum(cuts[word].weight for word in limbs.made if word not in words.constants)
+    return Made(found, limbs.names), limbs.weight - cutting
 
 
-def _functions(
-    routine: Routine, sums: Sums, words: Words
-) -> tuple[dict[int, tuple[Statement, ...]], dict[str, Routine]]:
-    """Return a call for every sum that a function makes, and the functions by name."""
+def _functions(routine: Routine, sums: Sums, words: Words) -> Made:
+    """Return a call for every sum that a function makes, and the functions."""
     alike: dict[object, Members] = {}
     for operation, mac in sums.values():
         alike.setdefault(_form(operation, mac, words), []).append((operation, mac))
@@ -68,14 +69,14 @@ def _functions(
         name = f"{routine.name}_sum_{len(callees) + 1}"
         alone = _alone(name, members, given, words)
         inner = Words(alone)
-        body, weight = _written_out(alone, sums_of_products(alone, inner), inner)
-        cutting = 4 * len(given[0])
-        if not body or weight + cutting + CALL + len(members) * (CALL + len(given[0])) >= len(members) * weight:
+        made, weight = _written_out(alone, sums_of_products(alone, inner), inner)
+        function = weight + CUT * len(given[0]) + CALL
+        if not made.sums or function + len(members) * (CALL + len(given[0])) >= len(members) * weight:
             continue
-        callees[name] = replace(expand(alone, made=Made(body)), by_value=True)
+        callees[name] = replace(expand(alone, made=made), by_value=True)
         for (operation, _), args in zip(members, given, strict=True):
             calls[operation.result] = (Call(name, args, (operation.result,), operation.step),)
-    return calls, callees
+    return Made(calls, callees=callees)
 
 
 def _words(mac: Mac, words: Words) -> tuple[int, ...]:
@@ -86,8 +87,8 @@ def _words(mac: Mac, words: Words) -> tuple[int, ...]:
 def _form(operation: Operation, mac: Mac, words: Words) -> object:
     """Return all that a function of a sum depends on: two sums with one form are one function of their words."""
     given = _words(mac, words)
-    named = {arg: ("word", k) for k, arg in enumerate(given)}
-    known = {arg: (words.constants[arg], words.formats[arg]) for term in mac.terms for arg in term.args if arg not in named}
+    named: dict[int, object] = {arg: ("word", k) for k, arg in enumerate(given)}
+    known = {arg: (raw, words.formats[arg]) for arg, raw in words.constants.items()}
     terms = tuple((term.negative, term.shift, *((named | known)[arg] for arg in term.args)) for term in mac.terms)
     return terms, mac.discard, mac.rounding, tuple(words.formats[arg] for arg in given), operation.format
 
@@ -128,4 +129,21 @@ def _alone(name: str, members: Members, given: Sequence[tuple[int, ...]], words:
         Block("word", Shape.SCALAR, Role.INPUT, len(args)),
         Block("value", Shape.SCALAR, Role.OUTPUT),
     )
-    return Routine(name, blocks, tuple(body))
+    step = Step(f"sum = ({_written(terms, body)}) / 2^{mac.discard} in raw words, of limbs")
+    names = {**dict(zip(range(len(args)), LETTERS, strict=False)), result: "sum"}
+    return Routine(name, blocks, tuple(body), (step,), names)
+
+
+def _written(terms: Sequence[Aligned], body: Sequence[Statement]) -> str:
+    """Return a sum as a reader writes it, its words called by letters."""
+    known = {each.result: each for each in body if isinstance(each, Operation)}
+    text = ""
+    for term in terms:
+        factors = [f"2^{term.shift}"] if term.shift else []
+        for arg in term.args:
+            made = known[arg]
+            raw = made.constant / made.format.lsb if made.constant and isinstance(made.format, Signal) else None
+            factors.append(LETTERS[arg] if raw is None else str(raw))
+        sign = "-" if term.negative else "+" if text else ""
+        text += f" {sign} {' '.join(factors)}" if text else f"{sign}{' '.join(factors)}"
+    return text

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from qcone.formats.fixed import Signal
 from qcone.ir.detail import Aligned, Mac, Shift
@@ -49,6 +50,7 @@ class LimbSums:
 
     def __init__(self, words: Words, cuts: Mapping[int, Cut], free: int) -> None:
         """Take what is known of the words, how they are cut, and the first number of a new value."""
+        self.names: dict[int, str] = {}
         self.words, self.cuts, self.next = words, cuts, free
         self.operations: list[Operation] = []
         self.weight = 0
@@ -150,6 +152,8 @@ class LimbSums:
         if not cut.signed:
             low = self._emit(MachineOp.REMAINDER, (word, high), signal, ends, Shift(bits))
         self.weight = before + cut.weight
+        if word in self.words.names:
+            self.names |= {low: f"{self.words.names[word]}_low", high: f"{self.words.names[word]}_high"}
         return (Limb(0, ends, low, word, bits), Limb(bits, limits, high, word, bits))
 
     def _products(
@@ -196,7 +200,7 @@ class LimbSums:
         """Return what stands at the last discarded bit and above, as a number of last bits of the result."""
         places = [*sorted(above, reverse=True), discard]
         whole: Total | None = None
-        for place, lower in zip(places, places[1:], strict=False):
+        for place, lower in pairwise(places):
             here = sums[place, 0]
             if whole is not None:
                 here = self._more(here, Addend(self.words.sum(whole[1]), value=whole[0]), place)
@@ -238,7 +242,7 @@ class LimbSums:
         if other.value is None:
             raise UnprovedError
         if known.value is not None:
-            return self._emit(MachineOp.MULTIPLY, (addend.limbs[0].value, addend.limbs[1].value), signal, addend.range)
+            return self._emit(MachineOp.MULTIPLY, (known.value, other.value), signal, addend.range)
         factor = known.range[0]
         if factor > 0 and not factor & (factor - 1):
             shift = Shift(factor.bit_length() - 1)
