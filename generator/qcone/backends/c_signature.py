@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from qcone.ir.statement import Advance, Block, Call, Choose, Operation, Role, Routine, Write, walk
 
@@ -27,6 +27,15 @@ def signature_of(start: str, arguments: Sequence[str]) -> str:
         else:
             rows.append(argument)
     return f"{start}(\n{INDENT}" + f",\n{INDENT}".join(rows) + ")"
+
+
+def remarked(text: str, remark: str) -> Iterator[str]:
+    """Yield a statement with a remark beside it, or above it where the line would be too long."""
+    if len(text) + len(remark) + 2 > LINE:
+        yield remark
+        yield from text.splitlines()
+    else:
+        yield f"{text}  {remark}" if remark else text
 
 
 def components(block: Block) -> list[str]:

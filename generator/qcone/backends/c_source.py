@@ -14,6 +14,7 @@ from qcone.backends.c_signature import (
     components,
     gives,
     parameters,
+    remarked,
     result_array,
     signature_of,
     unused,
@@ -205,7 +206,7 @@ class _Printer:
                 if isinstance(statement.format, Signal):
                     remark = c_fixed.remark(statement)
                     text = f"const {statement.format.ctype} {name} = {self._integer(statement)};"
-                    yield from self._remarked(text, remark)
+                    yield from remarked(text, remark)
                 elif op in SIGNS:
                     yield f"const {ctype} {name} = {self._use(args[0])} {SIGNS[op]} {self._use(args[1])};"
                 elif op is MachineOp.LESS:
@@ -228,7 +229,7 @@ class _Printer:
             case Call(name, args, (result,)) if self.routine.callees[name].by_value:
                 start = f"const {ctype} {self.routine.names[result]} = {self.program.name}_{name}"
                 text = f"{signature_of(start, list(map(self._use, args)))};"
-                yield from self._remarked(text, c_fixed.remark(gives(self.routine.callees[name])))
+                yield from remarked(text, c_fixed.remark(gives(self.routine.callees[name])))
             case Call(name, args, results):
                 array = result_array(statement, self.routine)
                 given = ", ".join([*map(self._use, args), array])
@@ -237,15 +238,6 @@ class _Printer:
                 for part, result in enumerate(results):
                     if result in self.routine.names:
                         yield f"const {ctype} {self.routine.names[result]} = {array}[{part}];"
-
-    @staticmethod
-    def _remarked(text: str, remark: str) -> Iterator[str]:
-        """Yield a statement with a remark beside it, or above it where the line would be too long."""
-        if len(text) + len(remark) + 2 > LINE:
-            yield remark
-            yield from text.splitlines()
-        else:
-            yield f"{text}  {remark}" if remark else text
 
     def _integer(self, operation: Operation) -> str:
         """Return the expression of an integer operation."""
