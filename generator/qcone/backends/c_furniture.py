@@ -94,6 +94,8 @@ def _needed(operation: Operation, widths: dict[int, int], wraps: bool) -> Iterab
         yield _wrapped(operation.format.width)
         yield _remainder(operation, widths)
     if operation.op is MachineOp.LOW:
+        yield _wrapped(32)
+        yield _shift_right(32)
         yield Furniture(low_name(operation), _low(operation))
     if operation.op is MachineOp.SHIFT_RIGHT:
         width = widths[operation.args[0]]
@@ -218,15 +220,14 @@ def _wrapping_rounding(operation: Operation, width: int) -> str:
 
 
 def _low(operation: Operation) -> str:
-    """Return the low limb of a word: a form that compilers take for an extension of the sign."""
+    """Return the low limb of a word: its bits are shifted up and back, which extends their sign."""
     assert isinstance(operation.detail, Shift)
     bits = operation.detail.bits
-    half = 1 << (bits - 1)
     return (
         f"/* The last {bits} bits of x, from -2^{bits - 1} on: x less a multiple of 2^{bits}. */\n"
         f"static inline int32_t {low_name(operation)}(int32_t x)\n"
         "{\n"
-        f"    return (int32_t)(((uint32_t)x & {2 * half - 1}U) ^ {half}U) - {half};\n"
+        f"    return shift_right_32(wrapped_32((uint32_t)x << {32 - bits}), {32 - bits});\n"
         "}\n"
     )
 
