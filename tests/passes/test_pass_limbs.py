@@ -152,6 +152,19 @@ def test_words_that_fill_the_word_are_left_to_products_of_64_bits() -> None:
     assert not wide_left(of_limbs(routine_of([PAIR], [Q, V], 34)))
 
 
+def test_a_sum_that_is_left_leaves_nothing_behind() -> None:
+    """Neither a word cut for it, nor a name of one: each of its products fits, their sum is not proved to."""
+    named, large = {0: "a", 1: "b", 2: "c", 3: "d"}, 2**31 - 2**17
+    routine = routine_of(
+        [PAIR, [((2, 3), False, 0), ((3, 2), False, 0), ((2, 3), False, 0)]], [Q, V, large, large], 32, result=1 << 30
+    )
+    made = made_of_limbs(replace(routine, names=named), (), False)
+    assert len(made.sums) == 1
+    assert set(made.names.values()) == {"a_low", "a_high", "b_low", "b_high"}
+    whole = of_limbs(replace(routine, names=named))
+    assert set(whole.names) <= {each.result for each in operations(whole)}
+
+
 @pytest.mark.parametrize(
     "change",
     [{"rounding": "even"}, {"limits": (-5, 5)}, {"residual": ("kept", Index(0))}, {"accumulator": 32}, {"discard": 0}],
@@ -215,14 +228,31 @@ def drawn(draw: Any) -> tuple[Products, list[int], int, int]:
 @settings(max_examples=300, deadline=None)
 @given(drawn(), st.sampled_from(["up", "floor"]), st.data())
 def test_any_sum_has_its_bits(sum_: tuple[Products, list[int], int, int], rounding: str, data: Any) -> None:
+    """In the range that its result is said to keep: what is beyond is not looked at."""
     terms, bounds, discard, constant = sum_
-    if sum(_size(args, bounds) << shift for args, _, shift in terms) + abs(constant) >= 2**62:
+    size = sum(_size(args, bounds) << shift for args, _, shift in terms) + abs(constant)
+    if size >= 2**62:
         return
-    routine = routine_of([terms], bounds, discard, rounding, constant)
+    result = data.draw(st.integers(1, (size >> discard) + 1))
+    routine = routine_of([terms], bounds, discard, rounding, constant, result)
     made = of_limbs(routine)
     for _ in range(8):
         row = [data.draw(st.one_of(st.sampled_from(corners(bound)), st.integers(-bound, bound))) for bound in bounds]
-        assert run(made, {"word": row})[1] == run(routine, {"word": row})[1]
+        if within(routine, row):
+            assert run(made, {"word": row})[1] == run(routine, {"word": row})[1]
+
+
+def within(routine: Routine, row: list[int]) -> bool:
+    return not overflows(routine, [row])
+
+
+def test_squares_are_bounded_by_their_sum_only_alone() -> None:
+    """Two squares and a product above them that takes away what they have too much: no word holds the squares."""
+    terms = [((0, 0), False, 0), ((1, 1), False, 0), ((2, 3), True, 1)]
+    routine = routine_of([terms], [Q + Q // 3] * 4, 30, result=1 << 20)
+    row = [Q + Q // 3] * 4
+    assert within(routine, row)
+    assert run(of_limbs(routine), {"word": row})[1] == run(routine, {"word": row})[1]
 
 
 # -- functions --------------------------------------------------------------------------------------------

@@ -43,11 +43,11 @@ def _written_out(routine: Routine, sums: Sums, words: Words) -> tuple[Made, int]
     limbs = LimbSums(words, cuts, unused(routine))
     found: dict[int, tuple[Statement, ...]] = {}
     for result, (operation, mac) in sums.items():
-        begun, cut = len(limbs.operations), dict(limbs.made)
+        begun, before = len(limbs.operations), (dict(limbs.made), dict(limbs.names), limbs.weight)
         try:
             limbs.make(operation, mac)
         except UnprovedError:
-            limbs.made = cut
+            limbs.made, limbs.names, limbs.weight = before
             del limbs.operations[begun:]
             continue
         found[result] = tuple(limbs.operations[begun:])

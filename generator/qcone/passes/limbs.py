@@ -73,7 +73,7 @@ class LimbSums:
             carried.append(self._above(above, sums, late, mac.discard))
         total: Total | None = None
         for each in carried:
-            total = self._more(total, each, mac.discard, result if each is carried[-1] else MOST)
+            total = self._more(total, each, mac.discard, result if each is carried[-1] else None)
         last = self.operations[-1]
         assert total is not None
         assert last.result == total[0]
@@ -163,10 +163,10 @@ class LimbSums:
         jobs = [(each, (level.place, at)) for level in levels for at, pile in enumerate(level.piles) for each in pile]
         jobs += [(each, (place, 0)) for place, addends in above.items() for each in addends]
         # Parts of a sum of squares are no larger than the sum.
-        rising = {place for place, addends in above.items() if all(each.signed[0] >= 0 for each in addends)}
+        rising = all(each.signed[0] >= 0 for addends in above.values() for each in addends)
         sums: dict[tuple[int, int], Total] = {}
         for each, (place, at) in sorted(jobs, key=lambda job: (job[0].negative, job[0].order)):
-            most = late >> (place - discard) if place in rising and place == min(above) else MOST
+            most = late >> (place - discard) if rising and place >= discard else None
             sums[place, at] = self._more(sums.get((place, at)), each, place, most)
         return sums
 
@@ -216,8 +216,8 @@ class LimbSums:
         assert whole is not None
         return whole[1][0]
 
-    def _more(self, total: Total | None, each: Addend, place: int, most: int = MOST) -> Total:
-        """Add to a sum, or begin one; no part of it is larger than `most`, for a reason of the caller's."""
+    def _more(self, total: Total | None, each: Addend, place: int, most: int | None = None) -> Total:
+        """Add to a sum, or begin one; where `most` is given it is known, by other reasons, to be no larger."""
         signal = Signal(WORD, self.fraction - place)
         if total is None and each.constant:
             return self._literal(each.signed[0], self.fraction - place), (each,)
@@ -228,8 +228,10 @@ class LimbSums:
             return value, (each,)
         both = (*total[1], each)
         low, high = self.words.sum(both)
+        if most is not None:
+            low, high = max(low, -most), min(high, most)
         op = MachineOp.SUBTRACT if each.negative else MachineOp.ADD
-        return self._emit(op, (total[0], value), signal, (max(low, -most), min(high, most))), both
+        return self._emit(op, (total[0], value), signal, (low, high)), both
 
     def _value(self, addend: Addend, place: int) -> int:
         """Return the value of an addend without its sign."""
