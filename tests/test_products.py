@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from fixed_designs import ACCUMULATIONS, FLAGSHIP, SERIES, made
-from qcone.errors import DesignError
+from qcone.errors import CheckError, DesignError
 from qcone.formats.fixed import Signal
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Call, Operation, Program
 from qcone.products import products_of
-from qcone.verify import accept
+from qcone.verify import accept, read_back
 from shipped import design_of, shipped
 from watching import drawn, watch
 
@@ -119,6 +121,24 @@ def test_functions_are_shared_where_that_is_smaller() -> None:
     assert all(calls.count(name) >= 3 for name in update.callees)
     assert all(callee.by_value for callee in update.callees.values())
     assert shipped(LIMBS).machine.routine("update").callees == {}
+
+
+TAMPERED = {
+    "another value returned": ("return sum;", "return sum_1;"),
+    "words in another order": ("(g_y, k_z, g_z, k_y)", "(g_z, k_z, g_y, k_y)"),
+    "another function called": (f"= {SHARED}_update_sum_1(d_x)", f"= {SHARED}_dcm_sum_1(d_x)"),
+    "a limb of another word": ("low_16(a)", "low_16(b)"),
+    "another low limb": ("x << 16), 16)", "x << 15), 15)"),
+}
+
+
+@pytest.mark.parametrize("what", TAMPERED)
+def test_text_that_is_not_the_routine_is_refused(what: str) -> None:
+    bundle, (old, new) = shipped(SHARED), TAMPERED[what]
+    read_back(bundle)
+    assert old in bundle.source
+    with pytest.raises(CheckError, match="is not"):
+        read_back(replace(bundle, source=bundle.source.replace(old, new, 1)))
 
 
 # -- banner -------------------------------------------------------------------------------------------------
