@@ -11,7 +11,7 @@ import pytest
 from qcone.ir import update
 from qcone.ir.detail import Mac, Shift
 from qcone.ir.statement import Operation
-from qcone.passes import fixed_point
+from qcone.passes import fixed_point, integers
 
 
 def every_sum(change: Callable[[Operation, Mac, str], Mac], patch: pytest.MonkeyPatch) -> None:
@@ -37,10 +37,10 @@ def shifts_that_truncate(patch: pytest.MonkeyPatch) -> None:
 
 def integer_shifts_that_truncate(patch: pytest.MonkeyPatch) -> None:
     """In the integer operations, and so in the C, but not in the sums of products they are made of."""
-    right = fixed_point.expand
+    right = integers.expand
 
-    def expanded(*given: Any) -> Any:
-        routine = right(*given)
+    def expanded(*given: Any, **named: Any) -> Any:
+        routine = right(*given, **named)
         body = tuple(
             replace(each, detail=replace(each.detail, rounding="floor"))
             if isinstance(each, Operation) and isinstance(each.detail, Shift) and each.detail.rounding
@@ -49,7 +49,7 @@ def integer_shifts_that_truncate(patch: pytest.MonkeyPatch) -> None:
         )
         return routine.with_body(body)
 
-    patch.setattr(fixed_point, "expand", expanded)
+    patch.setattr(integers, "expand", expanded)
 
 
 def format_one_bit_off(patch: pytest.MonkeyPatch) -> None:

@@ -62,6 +62,32 @@ def test_cortex_m4f_keeps_within_its_figures(name: str, emulation: Emulation) ->
     assert found.library_bytes == found.read_only_bytes == 0
 
 
+# The same in fixed point on cores whose products have 32 bits: instructions and bytes of text, at a level.
+SHORT = {
+    ("limbs", "-O2"): (950, None),
+    ("limbs_shared", "-Os"): (1050, 1550),
+    ("library", "-O2"): (None, 1150),
+    ("library", "-Os"): (None, 1150),
+}
+
+
+@pytest.mark.parametrize("target", ["cortex-m0", "cortex-m0plus"])
+@pytest.mark.parametrize(("form", "level"), SHORT)
+def test_products_of_small_cores_keep_within_their_figures(
+    form: str, level: str, target: str, emulation: Emulation
+) -> None:
+    found = measure(
+        shipped(f"rotation_vector_3_coning_fixed32_{form}"), TARGETS[target], cross_compiler(), level, emulation
+    )
+    instructions, text = SHORT[form, level]
+    least, most = found.executed.instructions
+    assert least == most, "no instruction depends on data"
+    assert instructions is None or most <= instructions
+    assert text is None or found.text_bytes <= text
+    assert found.executed.routines == (("__aeabi_lmul",) if form == "library" else ())
+    assert found.findings == ()
+
+
 def test_gcc_for_size_keeps_within_its_figure(arm_gcc: str, emulation: Emulation) -> None:
     found = measure(shipped(DELTA), M4F, cross_compiler(arm_gcc), "-Os", emulation)
     assert found.executed.instructions[0] == found.executed.instructions[1] <= 92

@@ -21,7 +21,16 @@ LAYERS: tuple[frozenset[str], ...] = (
         {
             *("admission", "assembly", "bundle", "contract", "cost", "declaration", "draws", "on_avr", "on_board"),
             *("on_target", "outcomes", "routine_contract"),
-            *("pipeline", "printing", "registry", "sensor", "stage_contract", "stage_routines", "state_routines"),
+            *(
+                "pipeline",
+                "printing",
+                "products",
+                "registry",
+                "sensor",
+                "stage_contract",
+                "stage_routines",
+                "state_routines",
+            ),
             *("stepwise", "unit_vectors", "unit_words", "vectors", "verify", "words"),
         }
     ),

@@ -68,6 +68,8 @@ class Facts:
     """Counts by routine, then by level: as-written, shared, emitted."""
     proved: Proved | None = None
     """What is proved in fixed point."""
+    products: str = ""
+    """How products of words are made, as a sentence, where there is something to be said."""
 
 
 def command(design: Design) -> str:
@@ -95,6 +97,7 @@ def banner(facts: Facts) -> tuple[str, ...]:
         *(_item("unit", stage_contract.declared(design.rins, facts.known)) if design.rins else []),
         *_item("truncation", truncation(facts)),
         *_item("rounding", rounding(facts)),
+        *(_item("products", facts.products) if facts.products else []),
         *_words(facts),
         *(_item("caution", caution) if caution else []),
         "",
@@ -119,8 +122,9 @@ def _number(facts: Facts) -> str:
     if isinstance(number, Floating):
         return f"{number.name}, every operation rounded once"
     rounding = {"up": "to nearest, halves up", "even": "to nearest, halves to even", "floor": "down"}[number.rounding]
+    as_in = "as in" if facts.products.startswith("of 16-") else "in"
     return (
-        f"{number.name}: words of {number.width} bits, sums in {number.wide}; every sum of products rounded once, "
+        f"{number.name}: words of {number.width} bits, sums {as_in} {number.wide}; every sum of products rounded once, "
         f"{rounding}; formats and bounds stand beside every line: F fraction bits, value = raw * 2^-F"
     )
 

@@ -46,6 +46,7 @@ from qcone.passes.signs import signs
 from qcone.passes.sweep import sweep
 from qcone.passes.zeros import zeros
 from qcone.printing import emit
+from qcone.products import products_of, told
 from qcone.registry import algorithm_of, digest_of
 
 EXACT: tuple[Callable[[Routine], Routine], ...] = (fold, share, zeros, sweep, signs, sweep)
@@ -59,13 +60,15 @@ def build(design: Design) -> Bundle:
     number = number_of(design)
     algorithm = algorithm_of(design)
     check_stages(design, algorithm)
+    products = products_of(design)
     exponential = choose_exponential(design, algorithm, number)
     written = write(design, algorithm, exponential)
     ready = prepare(written, design)
     known = declaration(design, algorithm)
     lowered = lower(ready, design, number, in_fixed_point(design, algorithm, known, exponential))
     counts = levels(written, ready, lowered.machine)
-    facts = Facts(design, algorithm, number, known, exponential, digest_of(design), counts, lowered.proved)
+    said = told(design, products, lowered.machine)
+    facts = Facts(design, algorithm, number, known, exponential, digest_of(design), counts, lowered.proved, said)
     _within_budget(facts)
     return emit(facts, written, lowered)
 
@@ -119,8 +122,9 @@ def lower(program: Program, design: Design, number: Floating | Fixed, declared: 
     """Type every value and give it a name; fixed point by way of sums of products, with formats that are proved."""
     if isinstance(number, Floating):
         return Lowered(_named(lower_program(program, number)))
+    products = products_of(design)
     try:
-        fixed = to_fixed(program, number, declared, design.number.accumulate == "compensated")
+        fixed = to_fixed(program, number, declared, design.number.accumulate == "compensated", products)
     except UsageError as error:
         hint = "raise update_hz, lower max_rate_dps, or choose a wider format"
         if isinstance(error, PinError):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import asdict, replace
 from fractions import Fraction
 from pathlib import Path
@@ -25,6 +26,7 @@ SMALL = {
     "round_": "shift",
     "floor_": "shift",
     "shift_left_": "shift",
+    "low_": "shift",
     "left_of_": "subtract",
     "clamp_": "select",
     "add_": "add",
@@ -36,9 +38,13 @@ KINDS = {"+": "add", "-": "subtract", "*": "multiply", "/": "divide", "<": "comp
 
 
 class Tally(c_ast.NodeVisitor):
-    """Counts the operators of a function body that has no loops and calls nothing, by its syntax tree alone."""
+    """Counts the operators of a function body without loops, by its syntax tree alone.
 
-    def __init__(self) -> None:
+    What it calls by value is one of the `others`, counted before.
+    """
+
+    def __init__(self, others: Mapping[str, Counts]) -> None:
+        self.others = others
         self.found: Counter[str] = Counter()
 
     def visit_BinaryOp(self, node: c_ast.BinaryOp) -> None:  # noqa: N802  pycparser's name
@@ -53,6 +59,9 @@ class Tally(c_ast.NodeVisitor):
     def visit_FuncCall(self, node: c_ast.FuncCall) -> None:  # noqa: N802
         """A small function is one operation of fixed point."""
         if node.name.name == "INT64_C":
+            return
+        if node.name.name in self.others:
+            self.found.update(asdict(self.others[node.name.name]))
             return
         words = [word for word in SMALL if node.name.name.startswith(word)]
         self.found[SMALL[words[0]]] += 1
@@ -97,17 +106,22 @@ class Tally(c_ast.NodeVisitor):
         return value == 1
 
 
+def _straight(node: c_ast.Node) -> bool:
+    if isinstance(node, c_ast.Return):
+        return isinstance(node.expr, c_ast.ID)
+    return isinstance(node, c_ast.Decl | c_ast.Assignment | c_ast.UnaryOp)
+
+
 def tallies(bundle: Bundle) -> dict[str, Counts]:
     """Count every function of the text."""
     header = re.sub(r"#ifdef __cplusplus\n.*?#endif\n", "", bundle.header, flags=re.DOTALL)
     text = re.sub(r"/\*.*?\*/", " ", header + bundle.source, flags=re.DOTALL)
     text = re.sub(r"static inline .*?\n}\n", "", text, flags=re.DOTALL)
     tree = CParser().parse(TYPES + "\n".join(line for line in text.splitlines() if not line.startswith("#")))
-    found = {}
+    found: dict[str, Counts] = {}
     for node in tree.ext:
-        straight = (c_ast.Decl, c_ast.Assignment, c_ast.UnaryOp)
-        if isinstance(node, c_ast.FuncDef) and all(isinstance(each, straight) for each in node.body.block_items):
-            tally = Tally()
+        if isinstance(node, c_ast.FuncDef) and all(map(_straight, node.body.block_items)):
+            tally = Tally(found)
             tally.visit(node.body)
             found[node.decl.name] = Counts(**tally.found)
     return found

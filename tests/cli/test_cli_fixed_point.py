@@ -55,6 +55,36 @@ FILES = {
         "1: error QC211: design 'mine': the routine 'update' divides by a value that may be zero: a quotient has no "
         f"bound there, {RANGE}",
     ),
+    "limbs of floats": (
+        HEAD + 'multiply = "limbs"\nnumber = { format = "float32" }\n',
+        '1: error QC209: design \'mine\': multiply = "limbs" does not go with number.format = "float32", products of '
+        "floats are the core's own, or its library's, leave the key out",
+    ),
+    "limbs of short words": (
+        HEAD + 'multiply = "limbs-shared"\nnumber = { format = "fixed16" }\n',
+        '1: error QC209: design \'mine\': multiply = "limbs-shared" does not go with number.format = "fixed16", '
+        "products of its words fit 32 bits, leave the key out",
+    ),
+    "limbs and ties": (
+        HEAD + 'multiply = "limbs"\nnumber = { format = "fixed32", rounding = "even" }\n',
+        '1: error QC209: design \'mine\': multiply = "limbs" does not go with number.rounding = "even", a tie shows '
+        'in the whole sum alone, set multiply = "wide"',
+    ),
+    "limbs that may not fit": (
+        HEAD + 'core = "cortex-m0"\nmultiply = "limbs"\nnumber = { format = "fixed32", overflow = "wrap" }\n',
+        '1: error QC209: design \'mine\': multiply = "limbs" does not go with number.overflow = "wrap", limbs are '
+        'proved to fit in the declared range alone, set multiply = "library"',
+    ),
+    "long products of a core without them": (
+        FIXED + 'core = "cortex-m0plus"\nmultiply = "wide"\n',
+        '1: error QC209: design \'mine\': multiply = "wide" does not go with core = "cortex-m0plus", it has no '
+        "instruction for products of 64 bits, use limbs, limbs-shared or library, or leave the key out",
+    ),
+    "a library for a core that needs none": (
+        FIXED + 'core = "cortex-m4"\nmultiply = "library"\n',
+        '1: error QC209: design \'mine\': multiply = "library" does not go with core = "cortex-m4", it has an '
+        "instruction for products of 64 bits, leave the key out",
+    ),
     "a pin over the word": (
         pinned("phi_x = 40"),
         "1: error QC211: design 'mine': 'phi_x' in 'update' cannot have the pinned 40 bits: 6 more than a word of its "

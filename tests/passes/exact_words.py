@@ -8,7 +8,7 @@ from fractions import Fraction
 from qcone.formats.fixed import Signal
 from qcone.ir.detail import Limits, Mac, Shift
 from qcone.ir.machine import MachineOp
-from qcone.ir.statement import Operation, Role, Routine, Write
+from qcone.ir.statement import Call, Operation, Role, Routine, Write
 
 Memory = dict[str, list[int]]
 
@@ -43,6 +43,8 @@ def run(routine: Routine, given: Mapping[str, Sequence[int]]) -> tuple[dict[int,
     for statement in routine.body:
         if isinstance(statement, Operation):
             values[statement.result] = _operation(statement, values, memory, kept)
+        elif isinstance(statement, Call):
+            values.update(_call(routine.callees[statement.routine], statement, values))
         elif isinstance(statement, Write):
             block, at = statement.place.block, statement.place.index.constant
             if routine.block(block).role is Role.STATE:
@@ -52,6 +54,16 @@ def run(routine: Routine, given: Mapping[str, Sequence[int]]) -> tuple[dict[int,
     for block, at, word in kept:
         memory[block][at] = word
     return values, memory
+
+
+def _call(callee: Routine, call: Call, values: Mapping[int, int]) -> dict[int, int]:
+    left = [values[arg] for arg in call.args]
+    given: dict[str, list[int]] = {}
+    for block in callee.having(Role.INPUT):
+        given[block.name], left = left[: block.size], left[block.size :]
+    _, memory = run(callee, given)
+    results = [word for block in callee.having(Role.OUTPUT) for word in memory[block.name]]
+    return dict(zip(call.results, results, strict=True))
 
 
 def _operation(
@@ -107,6 +119,9 @@ def _result(
     match operation.op:
         case MachineOp.REMAINDER:
             return args[0] - (args[1] << detail.bits)
+        case MachineOp.LOW:
+            half = 1 << (detail.bits - 1)
+            return (args[0] + half) % (1 << detail.bits) - half
         case MachineOp.SHIFT_LEFT:
             return args[0] << detail.bits
         case MachineOp.SHIFT_RIGHT:

@@ -20,7 +20,9 @@ from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Operation, Routine
 from qcone.passes.choices import UnfitError
 from qcone.passes.errors import errors
-from qcone.passes.expand import expand
+from qcone.passes.expand import Made, expand
+from qcone.passes.limb_ranges import known_norms
+from qcone.passes.limb_sums import made_of_limbs
 from qcone.passes.lower_fixed import lower_fixed
 from qcone.passes.magnitudes import Declared
 from qcone.passes.qassign import Assigner
@@ -38,18 +40,17 @@ many = settings(max_examples=250, deadline=None, suppress_health_check=[HealthCh
 
 
 @dataclass(frozen=True)
-class Made:
-    """A routine in sums, in fixed point and in integer operations, and what is proved of it."""
+class Written:
+    """A routine in sums, in fixed point and, in every form, in integer operations, and what is proved of it."""
 
     exact: Routine
     macs: Routine
-    integers: Routine
-    wide: Routine
+    integers: tuple[Routine, ...]
     errors: dict[int, Fraction]
     signals: dict[str, Signal]
 
 
-def made(choices: list[Choice], number: Fixed) -> Made | None:
+def made(choices: list[Choice], number: Fixed) -> Written | None:
     """Return a random routine in fixed point; None where it does not fit."""
     routine = fused(routine_of(choices))
     signals = {name: number.signal(size) for name, size in SIZES.items()}
@@ -69,8 +70,10 @@ def made(choices: list[Choice], number: Fixed) -> Made | None:
         if isinstance(each, Operation)
     )
     check(macs, MachineOp)
-    pair = [check(expand(macs, narrow), MachineOp) for narrow in (True, False)]
-    return Made(found.routine, macs, *pair, errors(assigner, found), signals)
+    forms = [(True, Made()), (False, Made())]
+    forms += [(True, made_of_limbs(macs, known_norms(found), shared)) for shared in (False, True)]
+    integers = tuple(check(expand(macs, narrow, sums), MachineOp) for narrow, sums in forms)
+    return Written(found.routine, macs, integers, errors(assigner, found), signals)
 
 
 shares = st.lists(
@@ -81,7 +84,7 @@ shares = st.lists(
 """Of what is declared of each component: both ends, nothing, and between."""
 
 
-def words(made: Made, shares: list[Fraction]) -> dict[str, list[int]]:
+def words(made: Written, shares: list[Fraction]) -> dict[str, list[int]]:
     left = iter(shares)
     return {
         block.name: [int(next(left) * SIZES[block.name] / made.signals[block.name].lsb) for _ in range(block.size)]
@@ -100,7 +103,7 @@ def test_what_is_accepted_fits_and_both_levels_agree(
         return
     inputs = words(found, given)
     values, memory = run(found.macs, inputs)
-    for integers in (found.integers, found.wide):
+    for integers in found.integers:
         same, others = run(integers, inputs)
         assert others == memory
         assert {key: same[key] for key in values if key in same} == {key: values[key] for key in values if key in same}
@@ -166,7 +169,7 @@ def _term(term: Aligned, values: dict[int, int]) -> int:
 # -- the harness itself ------------------------------------------------------------------------------------
 
 
-def plain(number: Fixed = Fixed("fixed32", 32)) -> Made:  # noqa: B008
+def plain(number: Fixed = Fixed("fixed32", 32)) -> Written:  # noqa: B008
     """Return first[0] * second[0] + 1/3 first[1] - first[2], a word and a product and a constant."""
     choices: list[Choice] = [
         ("multiply", 4, 1, F(1)),

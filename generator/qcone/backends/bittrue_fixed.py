@@ -27,6 +27,7 @@ OPERATIONS = frozenset(
         MachineOp.SHIFT_LEFT,
         MachineOp.SHIFT_RIGHT,
         MachineOp.DIVIDE,
+        MachineOp.LOW,
         MachineOp.NARROW,
         MachineOp.REMAINDER,
         MachineOp.MULTIPLY,
@@ -74,6 +75,8 @@ def _run(
             return args[0] * args[1]
         case MachineOp.NEGATE:
             return -args[0]
+        case MachineOp.LOW if isinstance(detail, Shift):
+            return word(args[0], detail.bits)
         case MachineOp.NARROW:
             return args[0]
         case MachineOp.CLAMP if isinstance(detail, Limits):

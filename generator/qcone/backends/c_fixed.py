@@ -10,7 +10,7 @@ from qcone.formats.fixed import Fixed, Signal
 from qcone.formats.floating import Floating
 from qcone.ir.detail import Limits, Shift
 from qcone.ir.machine import MachineOp
-from qcone.ir.statement import Operation, Routine, Statement, walk
+from qcone.ir.statement import Call, Operation, Routine, Statement, walk
 
 WRAPPING: Mapping[Enum, str] = {
     MachineOp.ADD: "add",
@@ -54,6 +54,12 @@ def remainder_name(operation: Operation, width: int) -> str:
     return f"left_of_{kind}{operation.detail.bits}"
 
 
+def low_name(operation: Operation) -> str:
+    """Return the name of the function that takes the last bits of a word."""
+    assert isinstance(operation.detail, Shift)
+    return f"low_{operation.detail.bits}"
+
+
 def narrow_name(operation: Operation, width: int) -> str:
     """Return the name of the function that takes the lower bits of a wide word."""
     assert isinstance(operation.format, Signal)
@@ -70,6 +76,8 @@ class IntegerText:
         for statement in walk(routine.body):
             if isinstance(statement, Operation) and isinstance(statement.format, Signal):
                 self.widths[statement.result] = statement.format.width
+            elif isinstance(statement, Call) and isinstance(number, Fixed):
+                self.widths.update(dict.fromkeys(statement.results, number.width))
 
     def casts(self, operation: Operation) -> str:
         """Return the cast that stands before the first operand: where no operand is as wide as the result."""
@@ -83,6 +91,8 @@ class IntegerText:
         """Return the function an operation calls, and its constant arguments; None where it calls none."""
         if operation.op is MachineOp.SHIFT_RIGHT:
             return shift_name(operation, self.widths[operation.args[0]]), ()
+        if operation.op is MachineOp.LOW:
+            return low_name(operation), ()
         if operation.op is MachineOp.REMAINDER:
             return remainder_name(operation, self.widths[operation.args[0]]), ()
         if self.wraps and operation.op is MachineOp.NARROW:

@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from qcone.backends.c_fixed import WRAPPING, clamp_name, integer, narrow_name, remainder_name, shift_name
+from qcone.backends.c_fixed import WRAPPING, clamp_name, integer, low_name, narrow_name, remainder_name, shift_name
 from qcone.formats.fixed import Fixed, Signal
 from qcone.ir.detail import Shift
 from qcone.ir.machine import MachineOp
-from qcone.ir.statement import Operation, Program, walk
+from qcone.ir.statement import Call, Operation, Program, reachable, walk
 
 
 @dataclass(frozen=True)
@@ -29,9 +29,12 @@ def furniture(program: Program, number: Fixed) -> tuple[Furniture, ...]:
     """Return the small functions a program calls, each after those it calls itself."""
     made: dict[str, Furniture] = {}
     wraps = number.overflow == "wrap"
-    for routine in program.routines:
+    routines = (each for routine in program.routines for each in (*reachable(routine), routine))
+    for routine in routines:
         widths: dict[int, int] = {}
         for statement in walk(routine.body):
+            if isinstance(statement, Call):
+                widths.update(dict.fromkeys(statement.results, number.width))
             if not isinstance(statement, Operation):
                 continue
             if isinstance(statement.format, Signal):
@@ -90,6 +93,10 @@ def _needed(operation: Operation, widths: dict[int, int], wraps: bool) -> Iterab
     if operation.op is MachineOp.REMAINDER and isinstance(operation.format, Signal):
         yield _wrapped(operation.format.width)
         yield _remainder(operation, widths)
+    if operation.op is MachineOp.LOW:
+        yield _wrapped(32)
+        yield _shift_right(32)
+        yield Furniture(low_name(operation), _low(operation))
     if operation.op is MachineOp.SHIFT_RIGHT:
         width = widths[operation.args[0]]
         assert isinstance(operation.format, Signal)
@@ -210,6 +217,19 @@ def _wrapping_rounding(operation: Operation, width: int) -> str:
         value = "((tie != 0) ? (up - (up & 1)) : up)"
     narrowed = f"wrapped_{result}((uint{result}_t){value})" if result < width else value
     return "".join([*lines, f"    return {narrowed};\n"])
+
+
+def _low(operation: Operation) -> str:
+    """Return the low limb of a word: its bits are shifted up and back, which extends their sign."""
+    assert isinstance(operation.detail, Shift)
+    bits = operation.detail.bits
+    return (
+        f"/* The last {bits} bits of x, from -2^{bits - 1} on: x less a multiple of 2^{bits}. */\n"
+        f"static inline int32_t {low_name(operation)}(int32_t x)\n"
+        "{\n"
+        f"    return shift_right_32(wrapped_32((uint32_t)x << {32 - bits}), {32 - bits});\n"
+        "}\n"
+    )
 
 
 def _clamp(operation: Operation, width: int) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from qcone.ir.statement import Advance, Block, Call, Choose, Operation, Role, Routine, Write, walk
 
@@ -29,6 +29,15 @@ def signature_of(start: str, arguments: Sequence[str]) -> str:
     return f"{start}(\n{INDENT}" + f",\n{INDENT}".join(rows) + ")"
 
 
+def remarked(text: str, remark: str) -> Iterator[str]:
+    """Yield a statement with a remark beside it, or above it where the line would be too long."""
+    if len(text) + len(remark) + 2 > LINE:
+        yield remark
+        yield from text.splitlines()
+    else:
+        yield f"{text}  {remark}" if remark else text
+
+
 def components(block: Block) -> list[str]:
     """Return the names of a callee's scalar arguments."""
     return [f"{block.name}_in{i}" for i in range(block.size)]
@@ -37,6 +46,12 @@ def components(block: Block) -> list[str]:
 def result_array(call: Call, routine: Routine) -> str:
     """Return how the array is called that takes what a call gives: after its first result that is used."""
     return f"{next(routine.names[result] for result in call.results if result in routine.names)}_result"
+
+
+def gives(callee: Routine) -> Operation:
+    """Return the operation that makes what a callee returns by value."""
+    (value,) = (each.value for each in callee.body if isinstance(each, Write))
+    return next(each for each in callee.body if isinstance(each, Operation) and each.result == value)
 
 
 def unused(routine: Routine, scalar: bool) -> list[str]:

@@ -12,7 +12,9 @@ from qcone.backends.c_signature import (
     INDENT,
     LINE,
     components,
+    gives,
     parameters,
+    remarked,
     result_array,
     signature_of,
     unused,
@@ -89,16 +91,18 @@ def _function(routine: Routine, program: Program, number: Floating | Fixed) -> F
         arguments.append(f"{const}{type_of(block, number)} {block.name}[{block.size}]")
     name = f"{program.name}_{routine.name}"
     internal = routine.name in INTERNAL
-    gives = "int" if any(isinstance(each, Ready) for each in routine.body) else "void"
-    signature = signature_of(f"{'static ' if internal else ''}{gives} {name}", arguments)
+    returns = "int" if any(isinstance(each, Ready) for each in routine.body) else "void"
+    signature = signature_of(f"{'static ' if internal else ''}{returns} {name}", arguments)
     return Function(routine.name, signature, tuple(_Printer(routine, program, number).lines()), internal)
 
 
 def _scalar_function(routine: Routine, program: Program, number: Floating | Fixed) -> Function:
-    """Print a callee: scalars in by value, results out through one array."""
+    """Print a callee: scalars in by value, results out through one array, or returned where that is so."""
     names = [f"const {number.ctype} {part}" for block in routine.having(Role.INPUT) for part in components(block)]
     size = sum(block.size for block in routine.having(Role.OUTPUT))
-    signature = signature_of(f"static void {program.name}_{routine.name}", [*names, f"{number.ctype} result[{size}]"])
+    returns = number.ctype if routine.by_value else "void"
+    results = [] if routine.by_value else [f"{number.ctype} result[{size}]"]
+    signature = signature_of(f"static {returns} {program.name}_{routine.name}", [*names, *results])
     printer = _Printer(routine, program, number, scalar=True)
     return Function(routine.name, signature, tuple(printer.lines()), True)
 
@@ -202,11 +206,7 @@ class _Printer:
                 if isinstance(statement.format, Signal):
                     remark = c_fixed.remark(statement)
                     text = f"const {statement.format.ctype} {name} = {self._integer(statement)};"
-                    if len(text) + len(remark) + 2 > LINE:
-                        yield remark
-                        yield text
-                    else:
-                        yield f"{text}  {remark}" if remark else text
+                    yield from remarked(text, remark)
                 elif op in SIGNS:
                     yield f"const {ctype} {name} = {self._use(args[0])} {SIGNS[op]} {self._use(args[1])};"
                 elif op is MachineOp.LESS:
@@ -220,10 +220,16 @@ class _Printer:
                     yield f"const {ctype} {name} = {self._place(place)};"
                 else:
                     raise UnprintableError(f"{self.routine.name}: {op} must be lowered before it is printed")
+            case Write(_, value) if self.routine.by_value:
+                yield f"return {self._use(value)};"
             case Write(place, value):
                 yield f"{self._place(place)} = {self._stored(place, value)};"
             case Advance(place):
                 yield f"{self._place(place)} = {self._place(place)} + 1;"
+            case Call(name, args, (result,)) if self.routine.callees[name].by_value:
+                start = f"const {ctype} {self.routine.names[result]} = {self.program.name}_{name}"
+                text = f"{signature_of(start, list(map(self._use, args)))};"
+                yield from remarked(text, c_fixed.remark(gives(self.routine.callees[name])))
             case Call(name, args, results):
                 array = result_array(statement, self.routine)
                 given = ", ".join([*map(self._use, args), array])

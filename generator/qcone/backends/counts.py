@@ -40,6 +40,7 @@ KINDS: Mapping[Enum, str] = {
     MachineOp.CLAMP: "select",
     MachineOp.SHIFT_LEFT: "shift",
     MachineOp.SHIFT_RIGHT: "shift",
+    MachineOp.LOW: "shift",
     MachineOp.NARROW: "",
     MachineOp.REMAINDER: "subtract",
     RealOp.CARRY: "",

@@ -138,6 +138,8 @@ class _Reader:
                     kind, operands = self._parts(statement)
                     typed = f"const {statement.format.ctype if statement.format else ''}"
                     yield Line(kind, names[result], operands, typed)
+                case Write(_, value) if self.routine.by_value:
+                    yield Line("return", "", (self._use(value),))
                 case Write(place, value):
                     integer = self.routine.block(place.block).integer
                     stored = self.constants.get(value) if integer else None
@@ -148,6 +150,8 @@ class _Reader:
                     yield Line("advance", self._place(place))
                 case Loop(counter, first, last, inner):
                     yield Line("loop", counter, (_index(first), _index(last)), "int32_t", tuple(self._body(inner)))
+                case Call(name, args, (result,)) if self.routine.callees[name].by_value:
+                    yield Line(f"{self.program.name}_{name}", names[result], tuple(map(self._use, args)), ctype)
                 case Call(name, args, results):
                     array = result_array(statement, self.routine)
                     yield Line("array", f"{self.number.ctype} {array}[{len(results)}]")

@@ -145,7 +145,7 @@ def _lines(items: Sequence[Any]) -> Iterator[Line]:
             case c_ast.For():
                 yield _loop(node)
             case c_ast.Return():
-                yield _ready(node)
+                yield _returned(node)
             case c_ast.If():
                 yield _choice(node)
             case _:
@@ -173,9 +173,11 @@ def _declaration(node: Any) -> Line:
     return Line("read", node.name, (operand(value),), ctype)
 
 
-def _ready(node: Any) -> Line:
-    """Read `return (counter >= limit) ? 1 : 0;`."""
+def _returned(node: Any) -> Line:
+    """Read `return (counter >= limit) ? 1 : 0;`, or `return name;`."""
     value = node.expr
+    if isinstance(value, c_ast.ID):
+        return Line("return", "", (operand(value),))
     whole = isinstance(value, c_ast.TernaryOp) and isinstance(value.cond, c_ast.BinaryOp) and value.cond.op == ">="
     if whole and (operand(value.iftrue), operand(value.iffalse)) == ("1", "0"):
         return Line("ready", operand(value.cond.left), (operand(value.cond.right),))

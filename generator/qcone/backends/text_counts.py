@@ -44,14 +44,15 @@ def _lines(lines: Sequence[Line], bodies: Mapping[str, Sequence[Line]], counters
         elif line.kind == "choose":
             branches = [_lines([each], bodies, counters) for each in line.body]
             found += Counter({kind: max(each[kind] for each in branches) for kind in COUNTED.values()})
-        elif line.kind == "call":
-            called = Counts(**_lines(bodies[line.target], bodies, {}))
+        elif line.kind == "call" or line.kind in bodies:
+            name = line.target if line.kind == "call" else line.kind
+            called = Counts(**_lines(bodies[name], bodies, {}))
             found += Counter({each.name: getattr(called, each.name) for each in fields(called)})
         elif line.kind == "multiply" and any(map(_is_integer_power, line.operands)):
             found["shift"] += 1
         elif line.kind == "multiply" and any(map(_is_literal_power, line.operands)):
             found["power_of_two"] += 1
-        elif line.kind.startswith(("round_", "floor_")):
+        elif line.kind.startswith(("round_", "floor_", "low_")):
             found["shift"] += 1
         elif line.kind.startswith("left_of_"):
             found["subtract"] += 1

@@ -36,6 +36,8 @@ class MachineOp(Enum):
     """An integer over a power of two, rounded as `detail` says, in the word of the result."""
     REMAINDER = "remainder"
     """What rounding took away: the first operand less the second times a power of two, in the word of the result."""
+    LOW = "low"
+    """The last bits of a word, as a signed number: from -2^(bits-1) on."""
     NARROW = "narrow"
     """An integer that is known to fit in the word of the result."""
 
@@ -55,5 +57,6 @@ ARITY: dict[MachineOp, int | None] = {
     MachineOp.SHIFT_LEFT: 1,
     MachineOp.SHIFT_RIGHT: 1,
     MachineOp.REMAINDER: 2,
+    MachineOp.LOW: 1,
     MachineOp.NARROW: 1,
 }

@@ -200,7 +200,10 @@ class Group:
 
 @dataclass(frozen=True)
 class Routine:
-    """A body over blocks. `names` gives the printed names of values; `callees` the routines it may call."""
+    """A body over blocks. `names` gives the printed names of values; `callees` the routines it may call.
+
+    A callee that gives one component may return it `by_value`, else its results go out through an array.
+    """
 
     name: str
     blocks: tuple[Block, ...]
@@ -210,6 +213,7 @@ class Routine:
     groups: tuple[Group, ...] = ()
     callees: Mapping[str, Routine] = field(default_factory=dict)
     summary: str = ""
+    by_value: bool = False
 
     def block(self, name: str) -> Block:
         """Return the block of that name; KeyError when there is none."""

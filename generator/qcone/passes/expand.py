@@ -6,29 +6,45 @@ That no partial sum overflows, in any order of the terms, was shown when the for
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from qcone.formats.fixed import Signal
 from qcone.ir.detail import Aligned, Limits, Mac, Shift
 from qcone.ir.machine import MachineOp
-from qcone.ir.statement import Operation, Place, Routine, Statement, Write, unused
+from qcone.ir.statement import Operation, Place, Routine, Statement, Write, results, unused
 
 
-def expand(routine: Routine, narrow: bool = True) -> Routine:
+@dataclass(frozen=True)
+class Made:
+    """Sums of products that are made already: the statements of each by its result, and the routines they call.
+
+    `names` are those of values on the way.
+    """
+
+    sums: Mapping[int, tuple[Statement, ...]] = field(default_factory=dict)
+    names: Mapping[int, str] = field(default_factory=dict)
+    callees: Mapping[str, Routine] = field(default_factory=dict)
+
+
+WIDE = Made()
+"""Every product is one of words twice as wide."""
+
+
+def expand(routine: Routine, narrow: bool = True, made: Made = WIDE) -> Routine:
     """Return the routine in integer operations of the generic core.
 
-    With `narrow`, sums are made in single words where they are proved to fit.
+    With `narrow`, sums are made in single words where they are proved to fit. Sums in `made` are taken from there.
     """
-    return _Expansion(routine, narrow).run()
+    return _Expansion(routine, narrow, made).run()
 
 
 class _Expansion:
-    def __init__(self, routine: Routine, narrow: bool) -> None:
-        self.routine = routine
-        self.names = dict(routine.names)
-        self.next = unused(routine)
+    def __init__(self, routine: Routine, narrow: bool, made: Made) -> None:
+        self.routine, self.made = routine, made
+        self.names = {**routine.names, **made.names}
+        self.next = max([unused(routine), *(value + 1 for body in made.sums.values() for value in results(body))])
         self.body: list[Statement] = []
         self.formats: dict[int, Signal] = {}
         self.bounds: dict[int, Fraction] = {}
@@ -41,6 +57,9 @@ class _Expansion:
                     self.formats[statement.result] = statement.format
                     if statement.bound is not None:
                         self.bounds[statement.result] = statement.bound
+                if statement.result in self.made.sums:
+                    self.body.extend(self.made.sums[statement.result])
+                    continue
                 if isinstance(statement.detail, Mac):
                     self._mac(statement, statement.detail)
                     continue
@@ -48,7 +67,8 @@ class _Expansion:
                     self._quotient(statement, statement.detail)
                     continue
             self.body.append(statement)
-        return replace(self.routine, body=tuple(self.body), names=self.names)
+        callees = {**self.routine.callees, **self.made.callees}
+        return replace(self.routine, body=tuple(self.body), names=self.names, callees=callees)
 
     def _emit(
         self, op: MachineOp, args: tuple[int, ...], signal: Signal, like: Operation, shift: Shift | None = None

@@ -14,10 +14,8 @@ from fractions import Fraction
 from qcone.errors import UsageError
 from qcone.formats.fixed import Fixed, Signal
 from qcone.ir.check import check
-from qcone.ir.index import Index
-from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
-from qcone.ir.statement import Block, Choose, Operation, Place, Program, Role, Routine, Statement, Write, unused
+from qcone.ir.statement import Operation, Program, Role, Routine, Write
 from qcone.passes.block_ranges import GIVEN, RESIDUAL, WHOLE_BITS, BlockRanges, change, length
 from qcone.passes.choices import Formats, PinError
 from qcone.passes.declared import Declaration, scaled, with_last_bits
@@ -27,7 +25,8 @@ from qcone.passes.guard import guarded
 from qcone.passes.high_word import WORD, HighWord, high_word
 from qcone.passes.integers import to_integers
 from qcone.passes.intervals import root_above
-from qcone.passes.lower_fixed import Residual, lower_fixed, residual_block
+from qcone.passes.limb_ranges import known_norms
+from qcone.passes.lower_fixed import Residual, lower_fixed, residual_block, with_residual
 from qcone.passes.magnitudes import Declared, Magnitudes
 from qcone.passes.qassign import Assigner
 from qcone.passes.sweep import sweep
@@ -65,14 +64,18 @@ class FixedProgram:
     proved: Proved
 
 
-def to_fixed(program: Program, number: Fixed, declaration: Declaration, compensated: bool) -> FixedProgram:
+def to_fixed(
+    program: Program, number: Fixed, declaration: Declaration, compensated: bool, products: str = "wide"
+) -> FixedProgram:
     """Return the program in fixed point. Raises UsageError for what does not fit, naming the value and the bits."""
-    return _FixedPoint(program, number, declaration, compensated).run()
+    return _FixedPoint(program, number, declaration, compensated, products).run()
 
 
 class _FixedPoint:
-    def __init__(self, program: Program, number: Fixed, declaration: Declaration, compensated: bool) -> None:
-        self.program, self.number = program, number
+    def __init__(
+        self, program: Program, number: Fixed, declaration: Declaration, compensated: bool, products: str = "wide"
+    ) -> None:
+        self.program, self.number, self.products = program, number, products
         self.declaration = with_last_bits(declaration, number)
         self.compensated = compensated
         self.held = program.state[0]
@@ -280,25 +283,10 @@ class _FixedPoint:
         if carried:
             block = residual_block(RESIDUAL, carried)
             state = (state[0], block, *state[1:])
-            routines = [self._with_residual(routine, block) for routine in routines]
+            routines = [with_residual(each, block, each.name in SETTING) for each in routines]
         macs = replace(self.program, state=state, routines=tuple(routines))
-        proven = self.number.overflow == "prove"
-        integers = replace(macs, routines=tuple(to_integers(each, proven) for each in routines))
+        integers = replace(macs, routines=tuple(map(self._integers, routines, done)))
         return FixedProgram(macs, integers, proved)
 
-    def _with_residual(self, routine: Routine, block: Block) -> Routine:
-        """Clear what is carried where the attitude is set, and hand it on where a call is handed on."""
-        hands_on = any(isinstance(each, Choose) for each in routine.body)
-        if routine.name not in SETTING and not hands_on:
-            return routine
-        blocks = (routine.blocks[0], block, *routine.blocks[1:])
-        body: tuple[Statement, ...] = routine.body
-        if not hands_on:
-            value = unused(routine)
-            step = len(routine.steps) - 1
-            assert block.format is not None
-            zero = Operation(
-                value, MachineOp.LITERAL, constant=Fraction(0), step=step, format=block.format, exact=Fraction(0)
-            )
-            body = (*body, zero, *(Write(Place(block.name, Index(k)), value, step) for k in range(block.size)))
-        return replace(routine, blocks=blocks, body=body)
+    def _integers(self, routine: Routine, assigned: tuple[Assigner, Formats]) -> Routine:
+        return to_integers(routine, self.number.overflow == "prove", self.products, known_norms(assigned[1]))

@@ -17,7 +17,7 @@ from qcone.ir.detail import Aligned, Limits, Mac, Shift, Sum
 from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
-from qcone.ir.statement import Block, Operation, Role, Routine, Shape, Statement, Write, unused
+from qcone.ir.statement import Block, Choose, Operation, Place, Role, Routine, Shape, Statement, Write, unused
 from qcone.passes.choices import Formats, nearest
 from qcone.passes.qassign import Assigner
 
@@ -255,3 +255,21 @@ def residual_block(name: str, residuals: tuple[Residual, ...]) -> Block:
     kept = ", ".join(dict.fromkeys(each.of.rpartition("_")[0] or each.of for each in residuals))
     unit = f"roundings carried to the next update: of {kept}"
     return Block(name, Shape.SCALAR, Role.STATE, len(residuals), unit, format=Signal(width, 0))
+
+
+def with_residual(routine: Routine, block: Block, sets: bool) -> Routine:
+    """Clear what is carried where a routine `sets` the attitude, and hand it on where it hands its call on."""
+    hands_on = any(isinstance(each, Choose) for each in routine.body)
+    if not sets and not hands_on:
+        return routine
+    blocks = (routine.blocks[0], block, *routine.blocks[1:])
+    body: tuple[Statement, ...] = routine.body
+    if not hands_on:
+        value = unused(routine)
+        step = len(routine.steps) - 1
+        assert block.format is not None
+        zero = Operation(
+            value, MachineOp.LITERAL, constant=Fraction(0), step=step, format=block.format, exact=Fraction(0)
+        )
+        body = (*body, zero, *(Write(Place(block.name, Index(k)), value, step) for k in range(block.size)))
+    return replace(routine, blocks=blocks, body=body)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from qcone.ir.machine import MachineOp
-from qcone.ir.statement import Operation, Role, Routine, Statement, Write
+from qcone.ir.statement import Call, Operation, Role, Routine, Statement, Write
 
 
 @dataclass
@@ -43,6 +43,8 @@ def read_late(routine: Routine) -> Routine:
             if alone and blocks:
                 waiting.add(statement, blocks.pop())
                 continue
+        elif isinstance(statement, Call):
+            blocks = {waiting.of[arg] for arg in statement.args if arg in waiting.of}
         elif isinstance(statement, Write):
             blocks = {statement.place.block} | {waiting.of[each] for each in (statement.value,) if each in waiting.of}
         else:
