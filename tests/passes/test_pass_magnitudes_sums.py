@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 from test_pass_magnitudes import DECLARED, made
@@ -18,7 +18,7 @@ from qcone.ir.builder import Builder
 from qcone.ir.check import check
 from qcone.ir.evaluate import Numbers, evaluate
 from qcone.ir.operations import RealOp
-from qcone.ir.statement import Block, Operation, Role, Routine, Shape
+from qcone.ir.statement import Block, Operation, Role, Routine, Shape, Write
 from qcone.ir.update import quaternion
 from qcone.ir.writing import Writing
 from qcone.passes.fuse import fuse
@@ -42,7 +42,7 @@ def weighted(row: list[Fraction]) -> tuple[Routine, int]:
         total = builder.emit(RealOp.ADD, total, part)
     builder.write(OUT, 0, total)
     routine = fuse(check(builder.routine(), RealOp))
-    return routine, next(each.result for each in routine.body if isinstance(each, Operation) and each.detail)
+    return routine, next(each.value for each in routine.body if isinstance(each, Write))
 
 
 def bound_of(row: list[Fraction], first: Fraction | None, second: Fraction | None, lsb: Fraction = ZERO) -> Fraction:
@@ -76,6 +76,7 @@ DIFFERENCES = [(None, None), (F(1, 10), None), (F(1, 10), F(1, 200)), (F(3), F(1
 @pytest.mark.parametrize(("first", "second"), DIFFERENCES)
 @settings(max_examples=15, deadline=None)
 @given(row=rows)
+@example(row=[ZERO, ZERO, ZERO, LARGEST])
 def test_no_samples_within_their_declaration_exceed_the_bound(
     first: Fraction | None, second: Fraction | None, row: list[Fraction]
 ) -> None:
