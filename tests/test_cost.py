@@ -62,7 +62,31 @@ def test_cortex_m4f_keeps_within_its_figures(name: str, emulation: Emulation) ->
     assert found.library_bytes == found.read_only_bytes == 0
 
 
-# The same in fixed point on cores whose products have 32 bits: instructions and bytes of text, at a level.
+# The same in fixed point on cores with products of 64 bits: instructions and bytes of stack.
+LONG = {
+    ("rotation_vector_3_coning_fixed32", "cortex-m4"): (185, None),
+    ("rotation_vector_3_coning_fixed32_compensated", "cortex-m4"): (295, 180),
+    ("rotation_vector_3_coning_fixed32_compensated", "rv32imc"): (510, None),
+}
+
+
+@pytest.mark.parametrize(("name", "target"), LONG)
+def test_fixed_point_keeps_within_its_figures(name: str, target: str, emulation: Emulation) -> None:
+    found = measure(shipped(name), TARGETS[target], cross_compiler(), "-O2", emulation)
+    instructions, stack = LONG[name, target]
+    least, most = found.executed.instructions
+    assert least == most <= instructions, "no instruction depends on data"
+    assert stack is None or found.stack_bytes <= stack
+    assert (found.executed.routines, found.findings) == ((), ())
+
+
+def test_gcc_keeps_fixed_point_within_its_figure(arm_gcc: str, emulation: Emulation) -> None:
+    name = "rotation_vector_3_coning_fixed32_compensated"
+    found = measure(shipped(name), TARGETS["cortex-m4"], cross_compiler(arm_gcc), "-O2", emulation)
+    assert found.executed.instructions[0] == found.executed.instructions[1] <= 245
+
+
+# And on cores whose products have 32 bits: instructions and bytes of text, at a level.
 SHORT = {
     ("limbs", "-O2"): (950, None),
     ("limbs_shared", "-Os"): (1050, 1550),

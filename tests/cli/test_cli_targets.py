@@ -293,10 +293,11 @@ def test_what_cannot_be_asked(run, good: Path, tmp_path: Path, words: tuple[str,
     assert sorted(everything(tmp_path)) == ["good.toml"]
 
 
-def test_compiler_of_another_machine(run, good: Path) -> None:
+@pytest.mark.usefixtures("good")
+def test_compiler_of_another_machine(run, missing_tool) -> None:
     gcc = next((each for each in _compilers() if each.family == "gcc" and "arm" not in each.machine), None)
     if gcc is None:
-        pytest.skip("this machine has no gcc of its own")
+        missing_tool("gcc (apt install gcc)")
     for command in ("verify", "cost"):
         result = run(command, "good.toml", "--target", "cortex-m0", "--cc", gcc.command[0])
         assert (result.exit_code, result.stdout) == (2, "")
