@@ -19,8 +19,19 @@ LAYERS: tuple[frozenset[str], ...] = (
     frozenset({"algorithms", "passes", "backends", "targets", "reference"}),
     frozenset(
         {
-            *("admission", "assembly", "bundle", "contract", "cost", "declaration", "draws", "on_avr", "on_board"),
-            *("on_target", "outcomes", "routine_contract"),
+            *(
+                "admission",
+                "assembly",
+                "bundle",
+                "contract",
+                "cost",
+                "declaration",
+                "draws",
+                "on_avr",
+                "on_board",
+                "reconciliation",
+            ),
+            *("on_target", "outcomes", "reconciliation", "routine_contract"),
             *(
                 "pipeline",
                 "printing",

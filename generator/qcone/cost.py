@@ -12,11 +12,11 @@ from pathlib import Path
 
 import numpy as np
 
-from qcone.backends.counts import Counts
 from qcone.bundle import Bundle
 from qcone.errors import CheckError, UsageError
 from qcone.on_target import float_bits, in_order, told
 from qcone.outcomes import describe_first, differing_bits, named
+from qcone.reconciliation import Reconciliation, products, reconcile, reconcile_words
 from qcone.stepwise import first_state, model_steps, packed, unpacked
 from qcone.targets.code import Disassembler
 from qcone.targets.compiler import Compiler
@@ -36,14 +36,6 @@ INSTRUCTIONS = 500_000
 """Updates measured: up to so many, but no more after so many instructions, and never fewer than the least."""
 SETTLED = 8
 """Updates made before the first one measured: start-up routines have done their part."""
-
-
-@dataclass(frozen=True)
-class Reconciliation:
-    """The float products and sums of one update, emitted and executed; `text` says how they agree, or do not."""
-
-    holds: bool
-    text: str
 
 
 @dataclass(frozen=True)
@@ -129,7 +121,7 @@ def _measured(
         image.code_bytes - text if alone else None,
         ran.stack,
         tuple(findings(code, own, target, float_bits(bundle))),
-        reconcile(_emitted(bundle), found) if float_bits(bundle) else None,
+        _reconciled(bundle, target, found),
     )
 
 
@@ -172,28 +164,9 @@ def _text_bytes(code: Disassembler, names: frozenset[str], update: Function, fou
     return sum({each.address: each.size for each in reached}.values())
 
 
-def _emitted(bundle: Bundle) -> Counts:
-    levels = bundle.facts.counts.get("steady") or bundle.facts.counts["update"]
-    return levels["emitted"]
-
-
-def reconcile(emitted: Counts, found: Executed) -> Reconciliation:
-    """Say how the products and sums executed are those emitted.
-
-    A compiler may make a sum x + x of a product by 2, and no other exchange keeps the bits; anything else is a
-    mismatch.
-    """
-    products, sums = emitted.multiply + emitted.power_of_two, emitted.add + emitted.subtract
-    (least, most), (fewest, largest) = found.multiply, found.add
-    said = f"{products} products and {sums} sums emitted"
-    if emitted.select and (least, most) == (products, products) and fewest < sums and largest <= sums:
-        reason = "a sum that one arm of a select alone needs is made there"
-        return Reconciliation(True, f"{said}, {most} and {fewest} to {largest} executed: {reason}")
-    if least != most or fewest != largest:
-        return Reconciliation(False, f"{said}; executed {least} to {most} and {fewest} to {largest}, as data decides")
-    doubled = products - most
-    if (doubled, largest) == (0, sums):
-        return Reconciliation(True, f"{said}, {most} and {largest} executed")
-    if 0 < doubled <= emitted.power_of_two and largest == sums + doubled:
-        return Reconciliation(True, f"{said}, {most} and {largest} executed: {doubled} by 2 became x + x")
-    return Reconciliation(False, f"{said}, but {most} and {largest} executed: the compiler changed the arithmetic")
+def _reconciled(bundle: Bundle, target: Target, found: Executed) -> Reconciliation:
+    """Hold what was executed against what is emitted: of the update that is made once a history is full."""
+    name = "steady" if bundle.machine.has("steady") else "update"
+    if float_bits(bundle):
+        return reconcile(bundle.facts.counts[name]["emitted"], found)
+    return reconcile_words(products(bundle.machine.routine(name)), found, target.separate_halves)

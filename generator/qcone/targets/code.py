@@ -59,6 +59,15 @@ _FLOAT: Mapping[str, tuple[tuple[str, int, int, bool], ...]] = {
     ),
 }
 _SINGLE = ("32", "s")
+# Products of two words: all of their bits or the upper half, and the lower half alone.
+_WORDS: Mapping[str, tuple[str, str]] = {
+    "arm": (
+        r"[us](?:mull|mlal)s?|umaal|smm(?:ul|la|ls)r?",
+        r"muls?|ml[as]s?|smul[btw][bt]|smlal?[btw][bt]|sml[as]l?dx?",
+    ),
+    "riscv": (r"mulhs?u?", r"(?:c\.)?mul"),
+    "powerpc": (r"mulhwu?\.?", r"mull[wi]o?\.?"),
+}
 _CALL = re.compile(r"(?:bl|bl?x|b\.w|b|jal|j|c\.jal|c\.j)")
 _ADDRESSES = 0xFFFF_FFFF
 _DESTINATION = re.compile(r"#?(-?0x[0-9a-f]+|-?\d+)$")
@@ -115,6 +124,14 @@ class Disassembler:
             if match := re.fullmatch(pattern, instruction.mnemonic):
                 return Arithmetic(multiply, add, fused, 32 if match["bits"] in _SINGLE else 64)
         return None
+
+    def product(self, instruction: Instruction) -> int | None:
+        """Return 64 for a product of two words with its upper half, 32 for one without; None for no such product."""
+        whole, lower = _WORDS[self.image.architecture]
+        name = instruction.mnemonic.removesuffix(".w")
+        if re.fullmatch(whole, name):
+            return 64
+        return 32 if re.fullmatch(lower, name) else None
 
     def destinations(self, function: Function) -> Iterator[int]:
         """Yield where the direct calls and jumps of a function go."""

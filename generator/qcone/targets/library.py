@@ -23,6 +23,11 @@ def multiplies(name: str) -> bool:
     return _MULTIPLY.fullmatch(name) is not None
 
 
+def multiplies_integers(name: str) -> bool:
+    """Tell whether a routine is the product of two integers of 64 bits."""
+    return name in ("__aeabi_lmul", "__muldi3")
+
+
 def adds(name: str) -> bool:
     """Tell whether a routine is the sum or difference of two floats."""
     return _ADD.fullmatch(name) is not None

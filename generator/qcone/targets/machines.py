@@ -53,6 +53,11 @@ class Target:
         """Tell whether it is another machine than this one."""
         return self.architecture != "host"
 
+    @property
+    def separate_halves(self) -> bool:
+        """Tell whether each half of a product of two words is an instruction of its own."""
+        return self.architecture in ("riscv", "powerpc")
+
     def computes(self, bits: int) -> bool:
         """Tell whether its FPU computes floats of that many bits."""
         return self.fpu == DOUBLE or (self.fpu == SINGLE and bits == 32)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from qcone.targets.code import Disassembler
 from qcone.targets.cycles import MODELS, cycles
 from qcone.targets.gates import emitted_functions
-from qcone.targets.library import adds, multiplies, public_name
+from qcone.targets.library import adds, multiplies, multiplies_integers, public_name
 from qcone.targets.machines import Target
 
 Trace = NDArray[np.uint32]
@@ -21,8 +21,9 @@ Trace = NDArray[np.uint32]
 class Executed:
     """Over all traces, the fewest and most; `routines` are library routines entered from the design's own code.
 
-    `multiply` and `add` count float products and sums alike, in instructions or in calls. `functions` are the names
-    of the design's functions that ran, `cycles` is None where no honest table exists.
+    `multiply` and `add` count float products and sums alike, in instructions or in calls. `whole` counts products of
+    two integers with their upper half, `lower` those without. `functions` are the names of the design's functions that
+    ran, `cycles` is None where no honest table exists.
     """
 
     updates: int
@@ -33,6 +34,8 @@ class Executed:
     routines: tuple[str, ...]
     functions: tuple[str, ...]
     fused: tuple[str, ...]
+    whole: tuple[int, int] = (0, 0)
+    lower: tuple[int, int] = (0, 0)
 
 
 def executed(code: Disassembler, names: frozenset[str], target: Target, traces: Sequence[bytes]) -> Executed:
@@ -56,6 +59,8 @@ def executed(code: Disassembler, names: frozenset[str], target: Target, traces: 
         tuple(sorted({name for each in counts for name in each.routines})),
         tuple(dict.fromkeys(functions)),
         tuple(fused),
+        _range([each.whole for each in counts]),
+        _range([each.lower for each in counts]),
     )
 
 
@@ -68,6 +73,8 @@ class _Counted:
     multiply: int
     add: int
     routines: frozenset[str]
+    whole: int
+    lower: int
 
 
 class _Inside:
@@ -89,8 +96,13 @@ class _Inside:
     def count(self, trace: Trace) -> _Counted:
         own = self.mask(trace)
         multiply = add = 0
+        words = {64: 0, 32: 0}
         for address, times in zip(*(each.tolist() for each in np.unique(trace[own], return_counts=True)), strict=True):
-            computed = self._code.arithmetic(self._code.at(address))
+            instruction = self._code.at(address)
+            bits = self._code.product(instruction)
+            if bits:
+                words[bits] += times
+            computed = self._code.arithmetic(instruction)
             if computed:
                 multiply, add = multiply + times * computed.multiply, add + times * computed.add
         entered = trace[1:][own[:-1] & ~own[1:]]
@@ -99,4 +111,5 @@ class _Inside:
             routine = public_name(self._code.image.names_at(address))
             routines.add(routine)
             multiply, add = multiply + times * multiplies(routine), add + times * adds(routine)
-        return _Counted(multiply, add, frozenset(routines))
+            words[64] += times * multiplies_integers(routine)
+        return _Counted(multiply, add, frozenset(routines), words[64], words[32])
