@@ -141,6 +141,17 @@ def test_bits_are_those_of_the_sum_and_no_word_overflows(kind: str, rounding: st
         assert run(made, {"word": row})[1] == run(routine, {"word": row})[1], row
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_product_is_told_to_have_the_fraction_bits_of_its_factors(kind: str) -> None:
+    """Also where a sum takes twice or half of it: what is twice a product of limbs stands one position higher."""
+    terms, bounds, discard, constant = KINDS[kind]
+    made = operations(of_limbs(routine_of([terms], bounds, discard, constant=constant)))
+    bits = {each.result: each.format.fraction for each in made if isinstance(each.format, Signal)}
+    products = [each for each in made if each.op is MachineOp.MULTIPLY]
+    assert products
+    assert all(bits[each.result] == sum(bits[arg] for arg in each.args) for each in products)
+
+
 def wide_left(routine: Routine) -> bool:
     return any(each.op is MachineOp.MULTIPLY and each.format.width == 64 for each in operations(routine))  # type: ignore[union-attr]
 

@@ -241,9 +241,10 @@ class LimbSums:
         """Return the value of an addend without its sign."""
         if addend.value is not None:
             return addend.value
-        signal = Signal(WORD, self.fraction - place)
         if addend.constant:
-            return self._literal(addend.range[0], signal.fraction)
+            return self._literal(addend.range[0], self.fraction - place)
+        bits = sum(self.words.formats[limb.word].fraction - limb.position for limb in addend.limbs)
+        signal = Signal(WORD, bits)
         known, other = sorted(addend.limbs, key=lambda limb: limb.value is not None)
         if other.value is None:
             raise UnprovedError
