@@ -13,7 +13,10 @@ import pytest
 
 from qcone import pipeline, verify
 from qcone.algorithms import rotating_unit as written
+from qcone.formats.fixed import Signal
+from qcone.ir.machine import MachineOp
 from qcone.ir.real import Quaternion, Scalar
+from qcone.ir.statement import Operation
 from qcone.outcomes import describe_first, word_names
 from qcone.pipeline import build
 from qcone.reference import euler, quaternion, rotating_unit
@@ -308,3 +311,19 @@ def test_fixed_point_keeps_what_its_header_states(first_compiler: Compiler) -> N
         assert max(abs(have - want) for have, want in zip(found.tilt[k].tolist(), tilts, strict=True)) <= tilt
         body = exact_body(found.q_ns[k], float(found.angle[k]), found.tilt[k])
         assert max(abs(have - want) for have, want in zip(found.q_nb[k].tolist(), body, strict=True)) <= part
+
+
+def test_a_coefficient_at_its_end_may_be_rounded_up_to_a_word() -> None:
+    """The largest correction is no word: the nearest one is beyond it, and still in the range that is relied on."""
+    bundle = build(unit(number="fixed32", max_correction_arcsec=601))
+    largest = bundle.facts.known.correction
+    assert largest is not None
+    read = [each for each in bundle.machine.routine("set_correction").body if isinstance(each, Operation)]
+    bounds = [(each.format, each.bound) for each in read if each.op is MachineOp.READ]
+    assert len(bounds) == 9
+    for signal, bound in bounds:
+        assert isinstance(signal, Signal)
+        assert bound is not None
+        word = round(largest / signal.lsb)
+        assert word * signal.lsb > largest
+        assert word * signal.lsb <= bound

@@ -22,7 +22,8 @@ from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Block, Call, Operation, Place, Role, Routine, Shape, Statement, Write
 from qcone.passes import limbs
 from qcone.passes.expand import expand
-from qcone.passes.limb_ranges import Norms, Words
+from qcone.passes.limb_levels import levels_of
+from qcone.passes.limb_ranges import Addend, Norms, Words
 from qcone.passes.limb_sums import made_of_limbs
 
 F = Fraction
@@ -140,6 +141,17 @@ def test_bits_are_those_of_the_sum_and_no_word_overflows(kind: str, rounding: st
         assert run(made, {"word": row})[1] == run(routine, {"word": row})[1], row
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_product_is_told_to_have_the_fraction_bits_of_its_factors(kind: str) -> None:
+    """Also where a sum takes twice or half of it: what is twice a product of limbs stands one position higher."""
+    terms, bounds, discard, constant = KINDS[kind]
+    made = operations(of_limbs(routine_of([terms], bounds, discard, constant=constant)))
+    bits = {each.result: each.format.fraction for each in made if isinstance(each.format, Signal)}
+    products = [each for each in made if each.op is MachineOp.MULTIPLY]
+    assert products
+    assert all(bits[each.result] == sum(bits[arg] for arg in each.args) for each in products)
+
+
 def wide_left(routine: Routine) -> bool:
     return any(each.op is MachineOp.MULTIPLY and each.format.width == 64 for each in operations(routine))  # type: ignore[union-attr]
 
@@ -253,6 +265,29 @@ def test_squares_are_bounded_by_their_sum_only_alone() -> None:
     row = [Q + Q // 3] * 4
     assert within(routine, row)
     assert run(of_limbs(routine), {"word": row})[1] == run(routine, {"word": row})[1]
+
+
+def test_squares_that_a_constant_leaves_little_of_are_bounded_by_the_result() -> None:
+    """(1 - |q|^2)/2 + u: the squares stand above u, and nothing but the result proves that they fit at its position."""
+    u = 5_400_000
+    terms = [((4,), False, 29), *(((k, k), True, 0) for k in range(4))]
+    routine = routine_of([terms], [*[Q] * 4, u], 27, constant=1 << 60, result=90_000_000)
+    made = of_limbs(routine)
+    assert not wide_left(made)
+    one, half = 1 << 30, 1 << 29
+    for q in ([one, 0, 0, 0], [half, -half, half, -half], [Q, 0, 0, 0], [0, 0, -one + 2**22, 1], [half + 2**20] * 4):
+        for word in (u, -u, 0, 1):
+            assert within(routine, [*q, word])
+            assert run(made, {"word": [*q, word]})[1] == run(routine, {"word": [*q, word]})[1]
+
+
+def test_only_the_first_pile_is_rounded() -> None:
+    """What the second carries is whole: its range goes down to the floor of its least value."""
+    least = -(2**31 - 2**17) + 2**15
+    product = Addend((least, 2**30))
+    levels, carries = levels_of(Words(routine_of([PAIR], [Q, V], 34)), {0: [product, product]}, 16, "up")
+    assert [len(pile) for pile in levels[0].piles] == [1, 1]
+    assert [low for low, _ in carries] == [least + 2**15 >> 16, least >> 16]
 
 
 # -- functions --------------------------------------------------------------------------------------------

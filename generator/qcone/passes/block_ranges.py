@@ -148,7 +148,7 @@ class BlockRanges:
             elif name in ("rpy", "angles"):
                 declared[name] = Declared((-PI_ABOVE, PI_ABOVE))
             elif name in self.declaration.bounded:
-                most = self.declaration.bounded[name]
+                most = self.declaration.bounded[name] + signals[name].lsb
                 declared[name] = Declared((-most, most))
             elif name in self.declaration.counts:
                 most = self.declaration.counts[name]

@@ -46,7 +46,8 @@ def levels_of(
         half = 1 << (upper - place - 1) if upper == discard and rounding == "up" else 0
         level, ranges = _level(words, Level(place, upper, (), half), places[place], [Addend(each) for each in carries])
         # Only the first pile is rounded; of the others the carries are whole.
-        carries = [(low + half >> level.bits, high + half >> level.bits) for low, high in ranges]
+        halves = [half, *[0] * (len(ranges) - 1)]
+        carries = [(a + up >> level.bits, b + up >> level.bits) for (a, b), up in zip(ranges, halves, strict=True)]
         levels.append(level)
     return levels, carries
 

@@ -199,14 +199,18 @@ class LimbSums:
     ) -> Addend:
         """Return what stands at the last discarded bit and above, as a number of last bits of the result."""
         places = [*sorted(above, reverse=True), discard]
+        # What is added so far is the whole, which is known, less what is to come.
+        most, left = {}, late
+        for place in sorted(above):
+            most[place] = left >> (place - discard)
+            left += max(map(abs, self.words.sum(above[place]))) << (place - discard)
         whole: Total | None = None
         for place, lower in pairwise(places):
             here = sums[place, 0]
             if whole is not None:
                 here = self._more(here, Addend(self.words.sum(whole[1]), value=whole[0]), place)
             low, high = self.words.sum(here[1])
-            if place == places[-2]:
-                low, high = max(low, -late >> (place - discard)), min(high, late >> (place - discard))
+            low, high = max(low, -most[place]), min(high, most[place])
             bits, value = place - lower, here[0]
             limits = (low << bits, high << bits)
             if bits:
@@ -237,9 +241,10 @@ class LimbSums:
         """Return the value of an addend without its sign."""
         if addend.value is not None:
             return addend.value
-        signal = Signal(WORD, self.fraction - place)
         if addend.constant:
-            return self._literal(addend.range[0], signal.fraction)
+            return self._literal(addend.range[0], self.fraction - place)
+        bits = sum(self.words.formats[limb.word].fraction - limb.position for limb in addend.limbs)
+        signal = Signal(WORD, bits)
         known, other = sorted(addend.limbs, key=lambda limb: limb.value is not None)
         if other.value is None:
             raise UnprovedError

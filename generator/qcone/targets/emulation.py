@@ -110,7 +110,7 @@ def job_for(
     """
     asked = sum(len(each.data) for each in buffers)
     if asked > ROOM:
-        much, most = asked >> 20, ROOM >> 20
+        much, most = -(-asked >> 20), ROOM >> 20
         raise NotMeasuredError(f"not measured: {much} MB of buffers, an emulated memory has {most}: take fewer rows")
     return Job(
         target.architecture,
