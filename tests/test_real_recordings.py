@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from click.testing import CliRunner, Result
+from numpy.typing import NDArray
 
 from qcone.cli import main
 from qcone.reference import quaternion
@@ -136,3 +138,48 @@ def test_differences_between_formats_and_algorithms_are_sane(differences: dict[s
     assert differences["single_1_float32"] == pytest.approx(single, abs=1e-3)
     assert 0 < differences["taylor_3_float64"] < differences["compressed_3_float64"] < single
     assert 0 < differences["history_1_float64"] < single
+
+
+QUANTUM_DPS, SAMPLE_HZ = Fraction(2000, 32768), 100
+"""Deg/s of one count of the gyroscope of `imucal_session.csv`, and its rate."""
+
+
+@pytest.fixture(scope="module")
+def counts(recordings: Path) -> NDArray[np.int64]:
+    """The words of a real gyroscope, as its registers held them: the recording has them times the quantum."""
+    table = np.genfromtxt(recordings / "imucal_session.csv", delimiter=",", names=True)
+    found = np.array([table[f"gyr_{axis}"] for axis in "xyz"]).T / float(QUANTUM_DPS)
+    whole = np.rint(found).astype(np.int64)
+    assert np.abs(found - whole).max() < 1e-6
+    assert np.linalg.norm(whole * float(QUANTUM_DPS), axis=1).max() == pytest.approx(908, abs=1)
+    assert -(2**15) <= whole.min() < whole.max() < 2**15
+    return whole
+
+
+def attitudes(result: Result, file: Path, updates: int) -> NDArray[np.float64]:
+    assert result.exit_code == 0, result.output
+    assert f"0 differing bits against the bit-true model in {updates} updates" in result.stderr
+    return np.loadtxt(file, delimiter=",", skiprows=1)[:, 1:5]
+
+
+@pytest.mark.parametrize("accumulate", ["delta", "compensated"])
+@pytest.mark.parametrize("subsamples", [1, 3])
+def test_counts_of_a_gyroscope_give_the_attitude_of_the_increments_they_stand_for(
+    counts: NDArray[np.int64], tmp_path: Path, subsamples: int, accumulate: str
+) -> None:
+    common = ("--algorithm", "rotation-vector", "--subsamples", str(subsamples), "--max-rate-dps", "910", "--compare")
+    updates, output = len(counts) // subsamples, tmp_path / "attitude.csv"
+    np.savetxt(tmp_path / "counts.csv", counts, "%d", ",", header="x,y,z", comments="")
+    words = ("--quantum-dps", str(QUANTUM_DPS), "--sample-hz", str(SAMPLE_HZ), "--columns", "x=x;y=y;z=z")
+    chosen = ("--number", "fixed32", "--accumulate", accumulate, "-o", str(output))
+    result = replay(tmp_path, ("counts.csv", "--input", "counts", *words), *common, *chosen)
+    found = attitudes(result, output, updates)
+    increments = np.radians(counts * float(QUANTUM_DPS)) / SAMPLE_HZ
+    rows = np.column_stack([np.arange(1, len(counts) + 1) / SAMPLE_HZ, increments])
+    names = "t_s,dtheta_x_rad,dtheta_y_rad,dtheta_z_rad"
+    np.savetxt(tmp_path / "increments.csv", rows, "%.17g", ",", header=names, comments="")
+    result = replay(tmp_path, ("increments.csv",), *common, "--number", "float64", "-o", str(output))
+    exact = attitudes(result, output, updates)
+    largest = float(np.degrees(quaternion.error_angle(found, exact)).max())
+    # Words of the attitude say 1e-7 deg; a wrong sign, quantum or rate would show in whole degrees.
+    assert 1e-8 < largest < 1e-3
