@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -33,6 +34,13 @@ WITHOUT_PHI = [name for name in EXAMPLES if name not in WITH_PHI]
 @cache
 def shipped(name: str) -> Bundle:
     return build(DESIGNS[name])
+
+
+def tampered(name: str, old: str, new: str) -> Bundle:
+    """Return a shipped design with one thing in its C that is another than the generator wrote."""
+    bundle = shipped(name)
+    assert old in bundle.source
+    return replace(bundle, source=bundle.source.replace(old, new, 1))
 
 
 def design_of(example: str, **options: object) -> Design:

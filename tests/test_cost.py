@@ -5,13 +5,11 @@ from __future__ import annotations
 import json
 import shutil
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from pathlib import Path
 from typing import NoReturn
 
 import pytest
 
-from qcone.bundle import Bundle
 from qcone.cost import Cost, measure, measure_elf
 from qcone.errors import CheckError, UsageError
 from qcone.studies.costing import code_digest
@@ -21,7 +19,7 @@ from qcone.targets.cross import build as build_program
 from qcone.targets.cross import cross_compiler
 from qcone.targets.emulation import Emulation
 from qcone.targets.machines import TARGETS
-from shipped import shipped
+from shipped import shipped, tampered
 
 DELTA = "rotation_vector_3_coning_float32"
 STANDARD, COMPENSATED = f"{DELTA}_standard", f"{DELTA}_compensated"
@@ -149,20 +147,14 @@ def test_figures_are_the_same_in_three_runs_and_from_an_empty_cache(
     assert figures(first) == figures(again) == figures(emptied)
 
 
-def tampered(old: str, new: str) -> Bundle:
-    bundle = shipped(DELTA)
-    assert old in bundle.source
-    return replace(bundle, source=bundle.source.replace(old, new, 1))
-
-
 def test_other_bits_have_no_figures(emulation: Emulation) -> None:
     with pytest.raises(CheckError, match="on cortex-m4f: not measured: its bits are not the model's: lane 0, step "):
-        measure(tampered("0.225F", "0.22500002F"), M4F, cross_compiler(), "-O2", emulation)
+        measure(tampered(DELTA, "0.225F", "0.22500002F"), M4F, cross_compiler(), "-O2", emulation)
 
 
 def test_a_fault_has_no_figures(emulation: Emulation) -> None:
     read = "const float dtheta1_x = *(const float *)(const void *)((const char *)dtheta + 2);"
-    bundle = tampered("const float dtheta1_x = dtheta[0];", read)
+    bundle = tampered(DELTA, "const float dtheta1_x = dtheta[0];", read)
     with pytest.raises(CheckError, match=f"^{DELTA} on cortex-m4f: unaligned: read of 4 bytes at "):
         measure(bundle, M4F, cross_compiler(), "-O2", emulation)
 
@@ -170,7 +162,7 @@ def test_a_fault_has_no_figures(emulation: Emulation) -> None:
 def test_a_product_that_is_not_emitted_is_reported(emulation: Emulation) -> None:
     """Bits that stay the same do not hide it: x * 1 is x, made where the compiler cannot see it."""
     one = "const volatile float unit = 1.0F;\n    const float dtheta1_x = dtheta[0] * unit;"
-    found = measure(tampered("const float dtheta1_x = dtheta[0];", one), M4F, cross_compiler(), "-O2", emulation)
+    found = measure(tampered(DELTA, "const float dtheta1_x = dtheta[0];", one), M4F, cross_compiler(), "-O2", emulation)
     assert found.reconciliation
     assert not found.reconciliation.holds
     assert found.reconciliation.text.startswith("39 products and 46 sums emitted, but 40 and 46 executed")

@@ -22,7 +22,7 @@ from qcone.targets.emulation import Emulation, NotMeasuredError
 from qcone.targets.machines import TARGETS, Target
 from qcone.vectors import GO_ON, INIT, SUBNORMAL_ROWS, Vectors, draw_chain
 from qcone.verify import Outcome, model_words
-from shipped import DESIGNS, shipped
+from shipped import DESIGNS, shipped, tampered
 
 NAME = "rotation_vector_3_coning_float32"
 EMULATED = [name for name, each in TARGETS.items() if each.emulated]
@@ -40,12 +40,6 @@ def outcome(
 ) -> Outcome:
     chosen = TARGETS[target] if isinstance(target, str) else target
     return verify_on(bundle, chosen, cross_compiler(), draw_chain(bundle, rows), emulation, cflags, flush)
-
-
-def tampered(old: str, new: str, name: str = NAME) -> Bundle:
-    bundle = shipped(name)
-    assert old in bundle.source
-    return replace(bundle, source=bundle.source.replace(old, new, 1))
 
 
 @pytest.mark.parametrize("target", EMULATED)
@@ -126,7 +120,7 @@ def test_fpu_that_is_not_named_is_caught(emulation: Emulation) -> None:
     ],
 )
 def test_soft_double_is_caught(target: str, said: str, emulation: Emulation) -> None:
-    bundle = tampered("0.225F /* 9/40 */ * d_x", "(float)(0.225 * d_x)")
+    bundle = tampered(NAME, "0.225F /* 9/40 */ * d_x", "(float)(0.225 * d_x)")
     found = outcome(bundle, target, emulation)
     assert (found.status, found.failed) == ("stray-double", True)
     assert found.first_difference is not None
@@ -145,7 +139,7 @@ def test_fused_product_is_caught(target: str, word: str, emulation: Emulation) -
 @pytest.mark.parametrize("target", ["cortex-m0", "cortex-m4f", "rv32imc"])
 def test_unaligned_access_is_caught(target: str, emulation: Emulation) -> None:
     read = "const float dtheta1_x = *(const float *)(const void *)((const char *)dtheta + 2);"
-    found = outcome(tampered("const float dtheta1_x = dtheta[0];", read), target, emulation)
+    found = outcome(tampered(NAME, "const float dtheta1_x = dtheta[0];", read), target, emulation)
     assert (found.status, found.failed) == ("faults", True)
     assert found.first_difference is not None
     assert found.first_difference.startswith("unaligned: ")
@@ -163,7 +157,7 @@ BEYOND = {
 @pytest.mark.parametrize("target", ["cortex-m0", "cortex-m4f", "powerpc"])
 def test_write_out_of_bounds_is_caught(where: str, target: str, emulation: Emulation) -> None:
     statement, said = BEYOND[where]
-    bundle = tampered(STORE, STORE.replace("}\n", f"    {statement}\n}}\n", 1))
+    bundle = tampered(NAME, STORE, STORE.replace("}\n", f"    {statement}\n}}\n", 1))
     found = outcome(bundle, target, emulation)
     assert (found.status, found.failed) == ("faults", True)
     assert found.first_difference is not None
@@ -193,7 +187,7 @@ def test_flushed_bits_hold_where_the_header_says_they_do(emulation: Emulation) -
 
 
 def test_one_unit_of_the_last_place_is_caught(emulation: Emulation) -> None:
-    found = outcome(tampered("0.225F", "0.22500002F"), "cortex-m0", emulation)
+    found = outcome(tampered(NAME, "0.225F", "0.22500002F"), "cortex-m0", emulation)
     assert (found.status, found.failed) == ("differs", True)
     assert found.differing_bits
     assert (found.first_difference or "").startswith("lane 0, step ")
@@ -280,7 +274,7 @@ def test_qemu_reaches_the_same_words(target: str, cc: str | None, missing_tool) 
 def test_qemu_would_see_another_bit(missing_tool) -> None:
     if qemu.version() is None:
         missing_tool(f"qemu-system-arm ({qemu.FIX})")
-    bundle = tampered("0.225F", "0.22500002F")
+    bundle = tampered(NAME, "0.225F", "0.22500002F")
     found = verify_on_board(bundle, TARGETS["cortex-m4f"], cross_compiler(), draw_chain(bundle, 300))
     assert (found.status, found.failed) == ("differs", True)
 
@@ -312,7 +306,7 @@ def test_avr_runs_the_same_words(missing_tool) -> None:
     assert (ran.status, ran.differing_bits, ran.target) == ("ok", 0, "avr")
     assert ran.rows
     assert ran.rows > 100
-    _, other = verify_on_avr(tampered("0.225F", "0.22500002F"), cross_compiler())
+    _, other = verify_on_avr(tampered(NAME, "0.225F", "0.22500002F"), cross_compiler())
     assert (other.status, other.failed) == ("differs", True)
 
 

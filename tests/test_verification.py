@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 from qcone import verify
-from qcone.bundle import Bundle, VerifiedBundle
+from qcone.bundle import VerifiedBundle
 from qcone.errors import CheckError
 from qcone.targets.compiler import LEVELS, Compiler, compilers, is_zig
 from qcone.targets.probe import has_fma
 from qcone.vectors import GO_ON, INIT, SET, draw
-from shipped import DESIGNS, shipped
+from shipped import DESIGNS, shipped, tampered
 
 NAME = "rotation_vector_3_coning_float32"
 X86 = platform.machine().lower() in {"x86_64", "amd64"}
@@ -45,12 +45,6 @@ def only(monkeypatch: pytest.MonkeyPatch) -> Callable[[Compiler], None]:
     return leave
 
 
-def tampered(old: str, new: str, name: str = NAME) -> Bundle:
-    bundle = shipped(name)
-    assert old in bundle.source
-    return replace(bundle, source=bundle.source.replace(old, new, 1))
-
-
 CHANGES = {
     "a literal": ("0.225F", "0.22500002F"),
     "an operator": ("coning_x_1 - coning_x_2", "coning_x_1 + coning_x_2"),
@@ -60,7 +54,7 @@ CHANGES = {
 
 @pytest.mark.parametrize("what", CHANGES)
 def test_changed_text_is_refused_before_it_is_compiled(what: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    bundle = tampered(*CHANGES[what])
+    bundle = tampered(NAME, *CHANGES[what])
     for step in ("build_shared", "draw", "first_compiler", "compilers"):
         monkeypatch.setattr(verify, step, lambda *_, **__: pytest.fail("went on to compile"))
     with pytest.raises(CheckError, match=f"^{NAME}: the C text is not the routine: {NAME}_update: statement "):
@@ -96,7 +90,7 @@ def test_a_different_bit_is_told_with_its_place_and_operands(
     """Were the text not read back, the vectors would still find one changed unit of the last place."""
     monkeypatch.setattr(verify, "read_back", lambda _: None)
     only(gcc)
-    bundle = tampered("0.225F", "0.22500002F")
+    bundle = tampered(NAME, "0.225F", "0.22500002F")
     with pytest.raises(CheckError, match=f"^{NAME}: not written: differs: lane "):
         verify.accept(bundle)
     outcomes = list(verify.verify(bundle, 500))

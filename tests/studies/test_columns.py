@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from refusing import refusal
 
 from qcone.errors import UsageError
 from qcone.studies.recording import read_recording
@@ -19,15 +20,6 @@ GOOD = INCREMENTS + "0.01,1e-3,2e-3,3e-3\n0.02,4e-3,5e-3,6e-3\n0.03,7e-3,8e-3,9e
 @pytest.fixture
 def csv_file(tmp_path: Path) -> Path:
     return tmp_path / "walk.csv"
-
-
-def refusal(path: Path, content: str | bytes, kind: str = "increment", **options: object) -> str:
-    """Write the file, read it, and return the message with the folder taken off."""
-    path.write_bytes(content.encode() if isinstance(content, str) else content)
-    with pytest.raises(UsageError) as caught:
-        read_recording(path, kind, **options)  # type: ignore[arg-type]
-    assert caught.value.exit_code == 2
-    return str(caught.value).replace(str(path), "walk.csv")
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+from refusing import refusal
 
 from qcone.errors import UsageError
 from qcone.studies.recording import Recording, max_rate_dps, read_recording, split_updates
@@ -25,15 +26,6 @@ GOOD = INCREMENTS + "0.01,1e-3,2e-3,3e-3\n0.02,4e-3,5e-3,6e-3\n0.03,7e-3,8e-3,9e
 @pytest.fixture
 def csv_file(tmp_path: Path) -> Path:
     return tmp_path / "walk.csv"
-
-
-def refusal(path: Path, content: str | bytes, kind: str = "increment", **options: object) -> str:
-    """Write the file, read it, and return the message with the folder taken off."""
-    path.write_bytes(content.encode() if isinstance(content, str) else content)
-    with pytest.raises(UsageError) as caught:
-        read_recording(path, kind, **options)  # type: ignore[arg-type]
-    assert caught.value.exit_code == 2
-    return str(caught.value).replace(str(path), "walk.csv")
 
 
 # --- what is read -------------------------------------------------------------------------------------------

@@ -14,22 +14,19 @@ from typing import Any
 
 from qcone.algorithms.dense_taylor import dcm_dense
 from qcone.algorithms.family import Choice, Family
-from qcone.algorithms.polynomial_rate import ORDERS, in_components, low_order, order_of_accuracy
+from qcone.algorithms.polynomial_rate import ORDERS, component, in_components, low_order, order_of_accuracy
 from qcone.algorithms.quaternion_taylor import MOST_ORDER
 from qcone.ir.real import (
     Algorithm,
     F,
     History,
-    Index,
     Matrix,
-    Scalar,
     Source,
     Vector,
     algorithm,
     heading,
     history,
     loop,
-    named,
     number,
     recorded_products,
     recorded_sum,
@@ -91,7 +88,7 @@ def _row(name: str, row: Vector, w: History, n: int, order: int) -> Vector:
                 t[i] = t[i] + v[base + 1 + i] * w[5 * j + 2 + i] - v[base + 2 + i] * w[5 * j + 1 + i]
         base = 5 * (k + n - 1)
         for i in loop("i", row, 0, 2):
-            v[base + i] = _component(f"{name}{k}", i, inverse[k] * t[i])
+            v[base + i] = component(f"{name}{k}", i, inverse[k] * t[i])
             total[i] = total[i] + v[base + i]
         v[base + 3] = v[base]
         v[base + 4] = v[base + 1]
@@ -117,10 +114,6 @@ def _record(v: History, w: History, k: int, n: int) -> Vector:
 
 def _coefficient(w: History, j: int) -> Vector:
     return vector(w[5 * j], w[5 * j + 1], w[5 * j + 2])
-
-
-def _component(name: str, part: Index | int, value: Scalar) -> Scalar:
-    return named(f"{name}_{'xyz'[part]}", value) if isinstance(part, int) else value
 
 
 FAMILY = Family(

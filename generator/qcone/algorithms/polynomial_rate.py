@@ -64,15 +64,16 @@ def in_components(name: str, dtheta: Sequence[Vector], about: str, scale: Sequen
             total[0] = number(0, like)
             for k in loop("k", like, 0, n - 1):
                 total[0] = total[0] + weights[n * j + k] * f[3 * k + i]
-            a[5 * j + i] = _component(f"{name}{j}", i, total[0])
+            a[5 * j + i] = component(f"{name}{j}", i, total[0])
         a[5 * j + 3] = a[5 * j]
         a[5 * j + 4] = a[5 * j + 1]
     heading(f"{name}_j = sum_k fit_jk f_k, coefficients of the rate", "xu2019 (9)", like)
     return a
 
 
-def _component(name: str, part: int | Index, value: Scalar) -> Scalar:
-    return named(f"{name}_{'xyz'[part]}", value) if isinstance(part, int) else value
+def component(name: str, part: int | Index, value: Scalar, letters: str = "xyz") -> Scalar:
+    """Name a component after its letter where loops are written out."""
+    return named(f"{name}_{letters[part]}", value) if isinstance(part, int) else value
 
 
 def order_of_accuracy(subsamples: int, order: int, about: str = "start") -> int:

@@ -17,7 +17,7 @@ from typing import Any
 
 from qcone.algorithms.dense_taylor import quaternion_dense
 from qcone.algorithms.family import Choice, Family
-from qcone.algorithms.polynomial_rate import ORDERS, in_components, low_order, order_of_accuracy
+from qcone.algorithms.polynomial_rate import ORDERS, component, in_components, low_order, order_of_accuracy
 from qcone.ir.real import (
     Algorithm,
     F,
@@ -25,7 +25,6 @@ from qcone.ir.real import (
     Index,
     Quaternion,
     Rotation,
-    Scalar,
     Source,
     Vector,
     algorithm,
@@ -100,7 +99,7 @@ def _terms(a: History, like: Vector, n: int, order: int, sums: int) -> list[Quat
             _add_product(t, r, 6 * (k - 1 - j + n - 1), a, 5 * j, like)
         base = 6 * (k + n - 1)
         for i in loop("i", like, 0, 3):
-            r[base + i] = _component(f"r{k}", i, inverse[k] * t[i])
+            r[base + i] = component(f"r{k}", i, inverse[k] * t[i], "wxyz")
             for s in range(sums):
                 term = r[base + i] if s == 0 else signs[k + s * (order + 1)] * r[base + i]
                 totals[4 * s + i] = totals[4 * s + i] + term
@@ -136,11 +135,6 @@ def _add_product(t: History, r: History, base: Number, a: History, lag: Number, 
         t[0] = t[0] - r[base + 1 + i] * a[lag + i]
         first = t[1 + i] + r[base] * a[lag + i]
         t[1 + i] = first + r[base + 2 + i] * a[lag + i + 2] - r[base + 3 + i] * a[lag + i + 1]
-
-
-def _component(name: str, part: Number, value: Scalar) -> Scalar:
-    """Name a component where loops are written out."""
-    return named(f"{name}_{'wxyz'[part]}", value) if isinstance(part, int) else value
 
 
 def _about_midpoint(b: Quaternion, a: Quaternion) -> Rotation | Quaternion:
