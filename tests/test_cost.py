@@ -245,3 +245,11 @@ def test_kept_figures_are_measured_again(name: str, emulation: Emulation) -> Non
     assert (kept["instructions_min"], kept["instructions_max"]) == found.executed.instructions
     assert (kept["cycles_low"], kept["cycles_high"]) == found.executed.cycles
     assert (kept["text_bytes"], kept["stack_bytes"]) == (found.text_bytes, found.stack_bytes)
+
+
+@pytest.mark.parametrize("form", ["limbs", "limbs_shared", "library"])
+def test_the_readme_tells_the_kept_figures_of_products(form: str) -> None:
+    rows = json.loads((C_OUT / f"rotation_vector_3_coning_fixed32_{form}" / FILE).read_text())["rows"]
+    figures = {row["level"]: row for row in rows if row["target"] == "cortex-m0"}
+    cells = [f"{figures[level]['instructions_max']} / {figures[level]['text_bytes']}" for level in ("-O2", "-Os")]
+    assert f"| `{form.replace('_', '-')}` | {' | '.join(cells)} |" in (C_OUT.parent / "README.md").read_text()
