@@ -23,6 +23,15 @@ class _Waiting:
         self.statements.setdefault(block, []).append(operation)
         self.of[operation.result] = block
 
+    def needed(self, statement: Statement) -> set[str]:
+        """Return the blocks that have to be read before a statement: a block that is written is one of them."""
+        match statement:
+            case Operation(args=args) | Call(args=args):
+                return {self.of[arg] for arg in args if arg in self.of}
+            case Write(place, value):
+                return {place.block} | ({self.of[value]} if value in self.of else set())
+        return set(self.statements)
+
     def out(self, block: str) -> list[Statement]:
         self.of = {value: other for value, other in self.of.items() if other != block}
         return self.statements.pop(block, [])
@@ -34,21 +43,14 @@ def read_late(routine: Routine) -> Routine:
     waiting = _Waiting()
     body: list[Statement] = []
     for statement in routine.body:
+        blocks = waiting.needed(statement)
         if isinstance(statement, Operation):
             if statement.op is MachineOp.READ and statement.place is not None and statement.place.block in state:
                 waiting.add(statement, statement.place.block)
                 continue
-            blocks = {waiting.of[arg] for arg in statement.args if arg in waiting.of}
-            alone = len(statement.args) == 1 and statement.op is MachineOp.SHIFT_RIGHT
-            if alone and blocks:
+            if blocks and len(statement.args) == 1 and statement.op is MachineOp.SHIFT_RIGHT:
                 waiting.add(statement, blocks.pop())
                 continue
-        elif isinstance(statement, Call):
-            blocks = {waiting.of[arg] for arg in statement.args if arg in waiting.of}
-        elif isinstance(statement, Write):
-            blocks = {statement.place.block} | {waiting.of[each] for each in (statement.value,) if each in waiting.of}
-        else:
-            blocks = set(waiting.statements)
         for block in [each for each in waiting.statements if each in blocks]:
             body.extend(waiting.out(block))
         body.append(statement)
