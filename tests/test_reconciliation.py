@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import pytest
 
-from qcone.backends.counts import Counts
+from qcone.backends.counts import Counts, Products, products
 from qcone.cost import measure
-from qcone.reconciliation import Products, products, reconcile, reconcile_words
+from qcone.reconciliation import reconcile, reconcile_words
 from qcone.targets.cross import cross_compiler
 from qcone.targets.emulation import Emulation
 from qcone.targets.machines import TARGETS

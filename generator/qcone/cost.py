@@ -12,11 +12,12 @@ from pathlib import Path
 
 import numpy as np
 
+from qcone.backends.counts import products
 from qcone.bundle import Bundle
 from qcone.errors import CheckError, UsageError
 from qcone.on_target import float_bits, in_order, told
 from qcone.outcomes import describe_first, differing_bits, named
-from qcone.reconciliation import Reconciliation, products, reconcile, reconcile_words
+from qcone.reconciliation import Reconciliation, reconcile, reconcile_words
 from qcone.stepwise import first_state, model_steps, packed, unpacked
 from qcone.targets.code import Disassembler
 from qcone.targets.compiler import Compiler

@@ -8,11 +8,11 @@ from __future__ import annotations
 from typing import NoReturn
 
 from qcone.admission import problem
+from qcone.backends.counts import products
 from qcone.design import Design
-from qcone.formats.fixed import WIDTHS, Signal
+from qcone.formats.fixed import WIDTHS
 from qcone.formats.floating import FLOATING
-from qcone.ir.machine import MachineOp
-from qcone.ir.statement import Operation, Program
+from qcone.ir.statement import Program
 from qcone.passes.integers import LIMBS
 from qcone.passes.limb_ranges import WORD
 from qcone.targets.machines import TARGETS
@@ -63,12 +63,7 @@ def told(design: Design, form: str, machine: Program) -> str:
     if form == "library":
         return f"of 64 bits, by the compiler's library: {why}"
     shared = ", alike sums in functions of their own" if form == "limbs-shared" else ""
-    left = sum(
-        each.op is MachineOp.MULTIPLY and isinstance(each.format, Signal) and each.format.width > WORD
-        for routine in machine.routines
-        for each in routine.body
-        if isinstance(each, Operation)
-    )
+    left = sum(products(routine).whole for routine in machine.routines)
     rest = f"; {left} of 64 bits, in sums of another kind or where limbs are not proved to fit" if left else ""
     return f"of 16- and 15-bit limbs, added before the carry, proved to fit 32 bits{shared}: {why}{rest}"
 

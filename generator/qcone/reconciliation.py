@@ -4,13 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from qcone.backends.counts import Counts
-from qcone.formats.fixed import Signal
-from qcone.ir.machine import MachineOp
-from qcone.ir.statement import Call, Operation, Routine
+from qcone.backends.counts import Counts, Products
 from qcone.targets.traces import Executed
-
-WORD = 32
 
 
 @dataclass(frozen=True)
@@ -19,31 +14,6 @@ class Reconciliation:
 
     holds: bool
     text: str
-
-
-@dataclass(frozen=True)
-class Products:
-    """Integer products of one call: of more than 32 bits, of fewer, and how many of both have a constant factor."""
-
-    whole: int
-    lower: int
-    constant: int
-
-
-def products(routine: Routine) -> Products:
-    """Count the integer products of a routine without loops, those of the routines it calls included."""
-    literals = {each.result for each in routine.body if isinstance(each, Operation) and each.op is MachineOp.LITERAL}
-    whole = lower = constant = 0
-    for statement in routine.body:
-        if isinstance(statement, Call):
-            inner = products(routine.callees[statement.routine])
-            whole, lower, constant = whole + inner.whole, lower + inner.lower, constant + inner.constant
-        elif isinstance(statement, Operation) and statement.op is MachineOp.MULTIPLY:
-            assert isinstance(statement.format, Signal)
-            wide = statement.format.width > WORD
-            whole, lower = whole + wide, lower + (not wide)
-            constant += not literals.isdisjoint(statement.args)
-    return Products(whole, lower, constant)
 
 
 def reconcile_words(emitted: Products, found: Executed, separate_halves: bool) -> Reconciliation:

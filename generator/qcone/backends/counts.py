@@ -51,6 +51,8 @@ KINDS: Mapping[Enum, str] = {
     MachineOp.READ: "",
 }
 
+WORD = 32
+
 
 @dataclass(frozen=True)
 class Counts:
@@ -112,6 +114,31 @@ def _body(
             case Call():
                 inner = count(routine.callees[statement.routine])
                 found.update({each.name: getattr(inner, each.name) for each in fields(inner)})
+
+
+@dataclass(frozen=True)
+class Products:
+    """Integer products of one call: of more than 32 bits, of fewer, and how many of both have a constant factor."""
+
+    whole: int
+    lower: int
+    constant: int
+
+
+def products(routine: Routine) -> Products:
+    """Count the integer products of a routine without loops, those of the routines it calls included."""
+    literals = {each.result for each in routine.body if isinstance(each, Operation) and each.op is MachineOp.LITERAL}
+    whole = lower = constant = 0
+    for statement in routine.body:
+        if isinstance(statement, Call):
+            inner = products(routine.callees[statement.routine])
+            whole, lower, constant = whole + inner.whole, lower + inner.lower, constant + inner.constant
+        elif isinstance(statement, Operation) and statement.op is MachineOp.MULTIPLY:
+            assert isinstance(statement.format, Signal)
+            wide = statement.format.width > WORD
+            whole, lower = whole + wide, lower + (not wide)
+            constant += not literals.isdisjoint(statement.args)
+    return Products(whole, lower, constant)
 
 
 def is_power_of_two(value: Fraction | None) -> bool:

@@ -8,11 +8,12 @@ operation at all. What is left are sums of terms, beside reads, comparisons, sel
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
 from qcone.errors import UsageError
-from qcone.ir.detail import Sum, Term
+from qcone.ir.detail import Aligned, Sum, Term
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Call, Loop, Operation, Routine, Statement, Write, walk
 
@@ -171,7 +172,7 @@ def is_power_of_two(value: Fraction) -> bool:
     return bool(top) and top & (top - 1) == 0 and bottom & (bottom - 1) == 0
 
 
-def args_of(terms: Terms) -> tuple[int, ...]:
+def args_of(terms: Iterable[Term | Aligned]) -> tuple[int, ...]:
     """Return the values that terms are made of, each once."""
     return tuple(dict.fromkeys(arg for term in terms for arg in term.args))
 

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 
 from qcone.ir.detail import Mac
 from qcone.ir.statement import Operation, Routine
+from qcone.passes.fuse import args_of
 from qcone.passes.limb_levels import UnprovedError
 from qcone.passes.limb_ranges import WORD, Words
 from qcone.passes.limbs import Cut, LimbSums
@@ -27,7 +28,7 @@ def sums_of_products(routine: Routine, words: Words) -> dict[int, tuple[Operatio
     for each in routine.body:
         if not isinstance(each, Operation) or not isinstance(each.detail, Mac):
             continue
-        mac, args = each.detail, {arg for term in each.detail.terms for arg in term.args}
+        mac, args = each.detail, args_of(each.detail.terms)
         plain = mac.residual is None and mac.limits is None and mac.rounding != "even" and mac.discard > 0
         single = words.formats[each.result].width == WORD and all(
             arg in words.ranges or arg in words.constants for arg in args

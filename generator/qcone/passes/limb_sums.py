@@ -15,6 +15,7 @@ from qcone.ir.index import Index
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Block, Call, Operation, Place, Role, Routine, Shape, Statement, Step, Write, unused
 from qcone.passes.expand import Made, expand
+from qcone.passes.fuse import args_of
 from qcone.passes.limb_cuts import Sums, choose_cuts, sums_of_products
 from qcone.passes.limb_levels import UnprovedError
 from qcone.passes.limb_ranges import Norms, Words
@@ -81,7 +82,7 @@ def _functions(routine: Routine, sums: Sums, words: Words) -> Made:
 
 def _words(mac: Mac, words: Words) -> tuple[int, ...]:
     """Return the words of a sum that are no constants, in the order they stand in."""
-    return tuple(dict.fromkeys(arg for term in mac.terms for arg in term.args if arg not in words.constants))
+    return tuple(arg for arg in args_of(mac.terms) if arg not in words.constants)
 
 
 def _form(operation: Operation, mac: Mac, words: Words) -> object:
@@ -118,7 +119,7 @@ def _alone(name: str, members: Members, given: Sequence[tuple[int, ...]], words:
         Operation(
             result,
             MachineOp.MAC,
-            tuple(dict.fromkeys(arg for term in terms for arg in term.args)),
+            args_of(terms),
             format=operation.format,
             detail=replace(mac, terms=terms),
             bound=bound,

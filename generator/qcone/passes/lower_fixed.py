@@ -19,6 +19,7 @@ from qcone.ir.machine import MachineOp
 from qcone.ir.operations import RealOp
 from qcone.ir.statement import Block, Choose, Operation, Place, Role, Routine, Shape, Statement, Write, unused
 from qcone.passes.choices import Formats, nearest
+from qcone.passes.fuse import args_of
 from qcone.passes.qassign import Assigner
 
 
@@ -245,8 +246,9 @@ class _Lowering:
             self.residuals.append(Residual(Signal(width, finest), self.names.get(result, "value")))
         limits = self._limits(result, signal)
         made = Mac(tuple(aligned), accumulator, discard, self.number.rounding, residual, limits)
-        args = tuple(dict.fromkeys(arg for each in aligned for arg in each.args))
-        self.body.append(replace(operation, op=MachineOp.MAC, args=args, format=signal, detail=made, bound=bound))
+        self.body.append(
+            replace(operation, op=MachineOp.MAC, args=args_of(aligned), format=signal, detail=made, bound=bound)
+        )
 
 
 def residual_block(name: str, residuals: tuple[Residual, ...]) -> Block:

@@ -7,13 +7,13 @@ two subtracted products or more is cheaper than subtracting each. A word in its 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
 from dataclasses import replace
 
 from qcone.formats.fixed import Signal
 from qcone.ir.detail import Aligned, Mac
 from qcone.ir.machine import MachineOp
 from qcone.ir.statement import Operation, Routine, Statement, unused
+from qcone.passes.fuse import args_of
 
 WORTH = 2
 """Subtracted products that a negation has to serve; for a single one it costs what it saves."""
@@ -24,24 +24,42 @@ def negate(routine: Routine) -> Routine:
     negated = _chosen(routine)
     if not negated:
         return routine
-    made: dict[int, int] = {}
-    names = dict(routine.names)
-    following = unused(routine)
-    body: list[Statement] = []
-    for statement in routine.body:
-        if isinstance(statement, Operation) and isinstance(statement.detail, Mac):
-            taken = _taken(statement.detail, negated)
-            for value in taken:
-                if value not in made:
-                    made[value], following = following, following + 1
-                    if value in names:
-                        names[made[value]] = f"{names[value]}_negated"
-                    body.append(
-                        Operation(made[value], MachineOp.NEGATE, (value,), step=statement.step, format=negated[value])
-                    )
-            statement = _with(statement, statement.detail, {value: made[value] for value in taken})
-        body.append(statement)
-    return replace(routine, body=tuple(body), names=names)
+    return _Negation(routine, negated).run()
+
+
+class _Negation:
+    def __init__(self, routine: Routine, negated: dict[int, Signal]) -> None:
+        self.routine, self.negated = routine, negated
+        self.names = dict(routine.names)
+        self.next = unused(routine)
+        self.made: dict[int, int] = {}
+        self.body: list[Statement] = []
+
+    def run(self) -> Routine:
+        for statement in self.routine.body:
+            mac = _double(statement)
+            if mac is not None and isinstance(statement, Operation):
+                terms = tuple(self._term(term, statement.step) for term in mac.terms)
+                statement = replace(statement, args=args_of(terms), detail=replace(mac, terms=terms))
+            self.body.append(statement)
+        return replace(self.routine, body=tuple(self.body), names=self.names)
+
+    def _term(self, term: Aligned, step: int) -> Aligned:
+        """Return what is added for a subtracted product of a negated word; every other term as it is."""
+        value = next((word for word in self.negated if word in term.args), None) if _subtracted(term) else None
+        if value is None:
+            return term
+        if value not in self.made:
+            self._make(value, step)
+        args = tuple(self.made[value] if arg == value else arg for arg in term.args)
+        return replace(term, args=args, negative=False)
+
+    def _make(self, value: int, step: int) -> None:
+        self.made[value], self.next = self.next, self.next + 1
+        if value in self.names:
+            self.names[self.made[value]] = f"{self.names[value]}_negated"
+        operation = Operation(self.made[value], MachineOp.NEGATE, (value,), step=step, format=self.negated[value])
+        self.body.append(operation)
 
 
 def _chosen(routine: Routine) -> dict[int, Signal]:
@@ -51,7 +69,8 @@ def _chosen(routine: Routine) -> dict[int, Signal]:
         for each in routine.body
         if isinstance(each, Operation) and isinstance(each.format, Signal)
     }
-    left = [term.args for each in _macs(routine) for term in each.terms if _subtracted(term)]
+    macs = filter(None, map(_double, routine.body))
+    left = [term.args for mac in macs for term in mac.terms if _subtracted(term)]
     chosen: dict[int, Signal] = {}
     while True:
         uses = Counter(arg for args in left for arg in args)
@@ -63,39 +82,12 @@ def _chosen(routine: Routine) -> dict[int, Signal]:
         left = [args for args in left if value not in args]
 
 
-def _macs(routine: Routine) -> Iterable[Mac]:
-    """Yield the sums that are made in a double word of 64 bits."""
-    for statement in routine.body:
-        mac = statement.detail if isinstance(statement, Operation) else None
-        if isinstance(mac, Mac) and mac.accumulator == 64:
-            yield mac
+def _double(statement: Statement) -> Mac | None:
+    """Return the sum that a statement makes in a double word of 64 bits; None for every other statement."""
+    mac = statement.detail if isinstance(statement, Operation) else None
+    return mac if isinstance(mac, Mac) and mac.accumulator == 64 else None
 
 
 def _subtracted(term: Aligned) -> bool:
     """Tell whether a term is a subtracted product of two words; a square has no factor to be negated alone."""
     return term.negative and len(term.args) == 2 and term.args[0] != term.args[1]
-
-
-def _taken(mac: Mac, negated: dict[int, Signal]) -> tuple[int, ...]:
-    """Return the words that a sum takes negated, in its order."""
-    if mac.accumulator != 64:
-        return ()
-    found = (_factor(term, negated) for term in mac.terms if _subtracted(term))
-    return tuple(dict.fromkeys(value for value in found if value is not None))
-
-
-def _factor(term: Aligned, negated: dict[int, Signal]) -> int | None:
-    return next((arg for arg in negated if arg in term.args), None)
-
-
-def _with(operation: Operation, mac: Mac, made: dict[int, int]) -> Operation:
-    """Return a sum that adds what it subtracted, of the negated words in `made`."""
-    terms: list[Aligned] = []
-    for term in mac.terms:
-        value = next((arg for arg in made if arg in term.args), None) if _subtracted(term) else None
-        if value is not None:
-            args = tuple(made[value] if arg == value else arg for arg in term.args)
-            term = replace(term, args=args, negative=False)
-        terms.append(term)
-    args = tuple(dict.fromkeys(arg for term in terms for arg in term.args))
-    return replace(operation, args=args, detail=replace(mac, terms=tuple(terms)))
